@@ -24,6 +24,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/kernel_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Rounds_runner.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
@@ -65,20 +66,26 @@ public:
 
   /// Finds between which vertices the segments run. The graph's vertices and segments are not needed after that, except
   /// for errors.
-  void place_segments() { segments_ = kernel_segments<ConcurrencyTag>(pslg_, order_); }
+  void place_segments() { made_.edges.segments = kernel_segments<ConcurrencyTag>(pslg_, order_); }
 
   /// \pre the points and segments are placed
+  /// \param runner who may make the mesh in the place of this; or null
   /// \param between_steps called when much memory is free that was in small pieces
   /// \throws Pslg_error_2 if segments cross, if there is no domain, or none that the seeds tell
   template <class Between_steps>
   void run(const Quality_mesh_options_2& options, Quality_mesh_report_2& report,
-           const Between_steps& between_steps) {
-    triangulate(report);
-    between_steps();
-    std::vector<Outer_triangle> outer = keep_domain(options);
+           Rounds_runner<Geometry>* runner, const Between_steps& between_steps) {
+    const Domain_rule<Geometry> rule = domain_rule(options);
+    if (runner == nullptr || !runner->make_first_mesh(mesh_, problem_.vertex_blocks, rule, made_)) {
+      triangulate();
+      between_steps();
+      keep_domain(options, rule);
+    }
+    report.merged_vertices = made_.merged_vertices;
+    report.vertices_on_segments = made_.vertices_on_segments;
     list_edges(options);
     if (mesh_.triangles.empty()) throw words_.no_domain(options.mesh_domain(), problem_.edges);
-    problem_.set_outside(std::exchange(outer, {}));
+    problem_.set_outside(std::exchange(made_.outer, {}));
     keep_boundary(options, mesh_, problem_.edges, problem_.kept_edges);
   }
 
@@ -91,28 +98,29 @@ private:
   const Input_words<Point_2>& words_;
   Kernel_mesh<Geometry>& mesh_;
   Meshing_problem<Geometry>& problem_;
-  std::vector<Segment_ends> segments_; // until they are in the first triangulation
-  Edges_of_segments edges_;            // as the first triangulation found them
-  Input_edge_list repeated_edges_;     // the same
+  First_mesh made_; // until they are in the first triangulation, its edges are the segments
 
-  void triangulate(Quality_mesh_report_2& report) {
+  void triangulate() {
     First first(mesh_, std::move(problem_.vertex_blocks));
-    if (const auto crossing = first.run(std::exchange(segments_, {})))
+    if (const auto crossing = first.run(std::exchange(made_.edges.segments, {})))
       throw words_.crossing(first.edges(), *crossing);
-    report.merged_vertices = first.number_of_repeated_vertices();
-    report.vertices_on_segments = first.number_of_vertices_on_segments();
+    made_.merged_vertices = first.number_of_repeated_vertices();
+    made_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.vertex_blocks = first.take_vertex_blocks();
-    edges_ = first.take_edges(), repeated_edges_ = first.take_repeated_edges();
+    made_.edges = first.take_edges(), made_.repeated_edges = first.take_repeated_edges();
   }
 
-  /// \returns the triangles outside along the border
-  std::vector<Outer_triangle> keep_domain(const Quality_mesh_options_2& options) {
+  Domain_rule<Geometry> domain_rule(const Quality_mesh_options_2& options) const {
     Domain_rule<Geometry> domain;
     domain.rule = options.mesh_domain();
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
     for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
+    return domain;
+  }
+
+  void keep_domain(const Quality_mesh_options_2& options, const Domain_rule<Geometry>& rule) {
     try {
-      return domain.apply(mesh_, First::number_of_auxiliary_vertices);
+      made_.outer = rule.apply(mesh_, First::number_of_auxiliary_vertices);
     } catch (const Ambiguous_seed& seed) {
       list_edges(options);
       throw words_.ambiguous_seed(seed, problem_.edges);
@@ -120,9 +128,9 @@ private:
   }
 
   void list_edges(const Quality_mesh_options_2& options) {
-    problem_.edges = Input_edges(std::exchange(edges_, {}), order_.size());
-    problem_.kept_edges = kept_edges_of(options, pslg_, problem_.edges, repeated_edges_);
-    problem_.edges.repeat(repeated_edges_);
+    problem_.edges = Input_edges(std::exchange(made_.edges, {}), order_.size());
+    problem_.kept_edges = kept_edges_of(options, pslg_, problem_.edges, made_.repeated_edges);
+    problem_.edges.repeat(made_.repeated_edges);
   }
 };
 

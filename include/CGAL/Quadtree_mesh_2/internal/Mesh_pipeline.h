@@ -111,7 +111,7 @@ public:
     if (!has_gone_on_from_checkpoint()) {
       domain.place_segments();
       if (runner_ != nullptr) runner_->stow_graph();
-      domain.run(options_, report_, [this] { let_go(); });
+      domain.run(options_, report_, runner_, [this] { let_go(); });
       too_near_for_trees_ = check_distances<Map>(state_, words_);
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Who runs rounds of blocks in the place of the pipeline, which has them run in its own memory otherwise
-// (Block_refinement.h).
+// Who makes the first mesh and runs rounds of blocks in the place of the pipeline, which does both in its own memory
+// otherwise (First_triangulation.h, Block_refinement.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
@@ -14,11 +14,15 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Vertex_blocks.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -30,6 +34,14 @@ enum class Rounds_end {
   WHOLE_MESH, ///< the rounds; it is in the state
   TAIL_DONE, ///< also what follows on them, but that flips have made bad triangles, which are on the worklist
   IN_PARTS   ///< everything; it is converted, and not here. The report has its counts and lists
+};
+
+/// What is known of the first triangulation once its mesh is that of the domain.
+struct First_mesh {
+  Edges_of_segments edges;
+  Input_edge_list repeated_edges; ///< edges of segments that overlap others, for each segment but the one in `edges`
+  std::vector<Outer_triangle> outer; ///< the triangles outside along the border
+  std::size_t merged_vertices = 0, vertices_on_segments = 0;
 };
 
 /// What follows on rounds of which nothing is left, for who can do it: sectors unlocked, vertices at seams removed,
@@ -54,6 +66,14 @@ public:
   /// \param order the input vertex of each of the kernel
   /// \param points of the kernel, at least those of the graph
   virtual void take_out_graph(const Order& order, const Kernel_points& points) = 0;
+
+  /// What `First_triangulation` and `Domain_rule` do, with the same bits, for a graph with points and nothing else in a
+  /// mesh, which is that of the domain then.
+  /// \param vertex_blocks those in which one memory would make it
+  /// \param made has the segments as its edges: in the end it has the edges
+  /// \returns false, with all as it was, if it was of no use
+  virtual bool make_first_mesh(Kernel_mesh<Geometry>& mesh, const Vertex_blocks& vertex_blocks,
+                               const Domain_rule<Geometry>& rule, First_mesh& made) = 0;
 
   /// What `Block_refinement` does, with the same bits: mesh, corners, rounds, and what is left on the worklist.
   /// \param shall_go_on told the share of the work that is done; may be called by several threads at once

@@ -78,10 +78,13 @@ struct Rounds_job {
   Finishing finishing = {};
   std::size_t vertex_budget = 0;
   bool is_tail_wanted = false; ///< `Rounds_tail`
+  /// Whether all parts have the points of the input already, in the problem.
+  bool are_points_known = false;
 
   template <class Archive>
   void transfer(Archive& archive) {
-    transfer_input_points(archive);
+    archive(are_points_known);
+    if (!are_points_known) transfer_input_points(archive);
     archive(state.problem.vertex_blocks, state.problem, finishing, vertex_budget, is_tail_wanted);
     archive(state.leg_rule, state.refinement_rule, state.bulk, state.has_placed_vertices);
   }

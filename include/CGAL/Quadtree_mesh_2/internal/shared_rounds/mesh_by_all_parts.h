@@ -6,7 +6,7 @@
 //
 // A graph of the first part meshed by all parts: the mesh of one memory, renumbered by place, in parts.
 //
-// The first part holds the whole mesh before the rounds of blocks. After them nobody does, unless they leave something,
+// All parts make the first mesh, and the first part holds it before the rounds of blocks. After them nobody does, unless they leave something,
 // or the options want more than Rounds_runner.h says.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_MESH_BY_ALL_PARTS_H
@@ -113,7 +113,7 @@ mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& 
       if (exchange.rank() == 0)
         mesh = lead(exchange, mesher, graph, report, part);
       else
-        part = help_with_rounds<Traits, Inner_tag<ConcurrencyTag>>(exchange, mesher.options());
+        part = Helper_of_first_part<Traits, Inner_tag<ConcurrencyTag>, Exchange>(exchange, mesher.options()).run();
     });
   } catch (const Lone_error& lone) {
     std::rethrow_exception(lone.error);

@@ -4,9 +4,10 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Rounds of blocks of a mesher at the first part, run by all parts.
+// The first mesh and the rounds of blocks of a mesher at the first part, made and run by all parts.
 //
-// The first part meshes. Others wait until it has rounds to run, or nothing more to do. For rounds it tells all of the
+// The first part meshes. Others wait until it has work for all, or nothing more to do. For the first mesh it tells all of
+// the graph, and they make it (First_mesh_of_parts.h); the first part gets it. For rounds it tells all of the
 // problem, and they run them (Rounds_of_parts.h). If nothing is left then, they finish the mesh, too (Tail_of_parts.h),
 // and make that of the user from it (Conversion_of_parts.h). Otherwise the first part gets the mesh back.
 
@@ -29,13 +30,16 @@
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Rounds_of_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Tail_of_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/state_bytes.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_triangulation/First_mesh_of_parts.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -44,6 +48,9 @@ namespace internal {
 /// The mesh of the user, if its parts are made where the rounds were run: each part has what it owns of it.
 template <class Point>
 using Mesh_in_parts = std::optional<Distributed_mesh_2<Point>>;
+
+/// What the first part has for all.
+enum class Work_of_all : std::int32_t { FIRST_MESH, ROUNDS };
 
 /// Rounds, and what follows on them if it is wanted and nothing is left by them.
 template <class Traits, class ConcurrencyTag, class Exchange>
@@ -106,16 +113,27 @@ public:
     graph_.take_out(order, [&](std::size_t v) { return map.to_user(points[static_cast<Vertex_id>(v)]); });
   }
 
+  bool make_first_mesh(Kernel_mesh<Geometry>& mesh, const Vertex_blocks& vertex_blocks,
+                       const Domain_rule<Geometry>& rule, First_mesh& made) override {
+    if (vertex_blocks.size() < 2) return false; // too small
+    made.merged_vertices = name_by_first(mesh.points, made.edges.segments);
+    tell_all_of(Work_of_all::FIRST_MESH, mesh.points, made.edges.segments, rule.rule, rule.holes, rule.regions);
+    const Kernel_graph<Geometry> graph{mesh.points, mesh.points.size(), made.edges.segments};
+    const bool is_made = work_together([&] {
+      First_mesh_of_parts<ConcurrencyTag, Exchange, Geometry> first(exchange_, graph, rule);
+      if (!first.run()) return false;
+      first.gather(mesh, made);
+      return true;
+    });
+    are_all_at_work_ = false, are_points_known_ = true;
+    return is_made;
+  }
+
   Rounds_end run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
                  Block_rounds& rounds, const std::function<bool(double)>& shall_go_on,
                  const Rounds_tail* tail) override {
-    Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr};
-    are_all_in_rounds_ = true;
-    work_together([&] {
-      State_teller<Exchange> teller(exchange_);
-      teller(frame_, job);
-      teller.finish();
-    });
+    Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr, are_points_known_};
+    tell_all_of(Work_of_all::ROUNDS, frame_, job);
     agree_on_work(exchange_, [] {}); // others make bounds
     Quality_mesh_report_2 nobody_reads;
     const Order no_order;
@@ -124,15 +142,15 @@ public:
           .run(rounds, shall_go_on, {graph_, tail != nullptr ? tail->order : no_order},
                tail != nullptr ? tail->report : nobody_reads, part_);
     });
-    are_all_in_rounds_ = false;
+    are_all_at_work_ = false;
     if (end == Rounds_end::WHOLE_MESH)
       for (const Triangle_id t : rounds.waiting) state.push(t);
     return end;
   }
 
-  /// Tells others that there are no more rounds. To be called at last, be there an error or not.
+  /// Tells others that there is nothing more to do. To be called at last, be there an error or not.
   void end() {
-    if (are_all_in_rounds_) return; // an error in rounds, which has ended them for all
+    if (are_all_at_work_) return; // an error there, which has ended it for all
     Bytes nothing;
     exchange_.broadcast(nothing, 0);
   }
@@ -144,31 +162,82 @@ private:
   Exchange& exchange_;
   Stowable_graph<Point_2>& graph_;
   Graph_frame<Point_2> frame_; // once the graph may be stowed
-  bool are_all_in_rounds_ = false;
+  bool are_all_at_work_ = false;
+  bool are_points_known_ = false; // to all
   Mesh_in_parts<Point_2> part_;
+
+  template <class... T>
+  void tell_all_of(Work_of_all work, T&... told) {
+    are_all_at_work_ = true;
+    work_together([&] {
+      State_teller<Exchange> teller(exchange_);
+      teller(work, told...);
+      teller.finish();
+    });
+  }
 };
 
 /// What other parts do until the first one calls `end()`.
-/// \param options the same as at the first part
 template <class Traits, class ConcurrencyTag, class Exchange>
-Mesh_in_parts<typename Traits::Point_2> help_with_rounds(Exchange& exchange,
-                                                         const Quality_mesh_options_2& options) {
+class Helper_of_first_part {
+public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point_2 = typename Traits::Point_2;
-  Mesh_in_parts<Point_2> part;
-  for (;;) {
-    Bytes bytes;
-    work_together([&] { exchange.broadcast(bytes, 0); });
-    if (bytes.empty()) return part;
+
+  /// \param options the same as at the first part
+  Helper_of_first_part(Exchange& exchange, const Quality_mesh_options_2& options)
+      : exchange_(exchange), options_(options) {}
+
+  /// \returns the part of the mesh that this one has made, if it has
+  Mesh_in_parts<Point_2> run() {
+    for (;;) {
+      Bytes bytes;
+      work_together([&] { exchange_.broadcast(bytes, 0); });
+      if (bytes.empty()) return std::move(part_);
+      State_listener<Exchange> listener(exchange_, std::move(bytes));
+      Work_of_all work;
+      listener(work);
+      if (work == Work_of_all::FIRST_MESH)
+        make_first_mesh(listener);
+      else
+        run_rounds(listener);
+    }
+  }
+
+private:
+  using Listener = State_listener<Exchange>;
+
+  Exchange& exchange_;
+  const Quality_mesh_options_2& options_;
+  typename Kernel_graph<Geometry>::Points points_; // of the input, once they are told
+  Mesh_in_parts<Point_2> part_;
+
+  void make_first_mesh(Listener& listener) {
+    std::vector<Segment_ends> segments;
+    Domain_rule<Geometry> rule;
+    work_together([&] { listener(points_, segments, rule.rule, rule.holes, rule.regions); });
+    const Kernel_graph<Geometry> graph{points_, points_.size(), segments};
+    work_together([&] {
+      First_mesh_of_parts<ConcurrencyTag, Exchange, Geometry> first(exchange_, graph, rule);
+      if (!first.run()) return;
+      Kernel_mesh<Geometry> nowhere;
+      First_mesh nothing;
+      first.gather(nowhere, nothing);
+    });
+    give_back_free_memory();
+  }
+
+  void run_rounds(Listener& listener) {
     Graph_frame<Point_2> frame;
     Meshing_problem<Geometry> problem;
+    problem.input_points = std::move(points_);
     Meshing_state<Geometry> state(problem);
     Rounds_job<Geometry> job{state};
     std::optional<Rounds_and_tail<Traits, ConcurrencyTag, Exchange>> rounds_and_tail;
-    work_together([&] { State_listener<Exchange>(exchange, std::move(bytes))(frame, job); });
-    agree_on_work(exchange, [&] {
-      rounds_and_tail.emplace(exchange, job, frame);
-      problem.bounds = bounds_in_frame<Traits>(frame, options, rounds_and_tail->map());
+    work_together([&] { listener(frame, job); });
+    agree_on_work(exchange_, [&] {
+      rounds_and_tail.emplace(exchange_, job, frame);
+      problem.bounds = bounds_in_frame<Traits>(frame, options_, rounds_and_tail->map());
     });
     Block_rounds rounds;
     const Pslg_2<Point_2> nothing;
@@ -177,10 +246,10 @@ Mesh_in_parts<typename Traits::Point_2> help_with_rounds(Exchange& exchange,
     Quality_mesh_report_2 nobody_reads;
     work_together([&] {
       const auto always = [](double) { return true; };
-      rounds_and_tail->run(rounds, always, {no_graph, no_order}, nobody_reads, part);
+      rounds_and_tail->run(rounds, always, {no_graph, no_order}, nobody_reads, part_);
     });
   }
-}
+};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

@@ -8,11 +8,11 @@
 // way it came about: on blocks, samples or the order of insertions.
 //
 // Computes: the constrained Delaunay triangulation, decided exactly, in which of vertices on one circle that with the
-//           least handle is joined to all others that it sees.
+//           least number is joined to all others that it sees.
 // Bound:    O(n) for n triangles, in parallel, and the flips, one after the other. They are few but where many vertices
 //           are on circles, as in lattices.
 // Source:   Lawson (1977), flips. They end: with vertices on one circle, a flip that joins the least of four to another
-//           one lowers the lifted surface if lifted vertices are pulled down in the order of their handles.
+//           one lowers the lifted surface if lifted vertices are pulled down in the order of their numbers.
 // Method:   A side that is not Delaunay, or on a circle with what is beyond, is seen under an angle that is not
 //           certainly acute from at least one of its triangles. Only such sides are tested.
 
@@ -38,6 +38,10 @@ public:
 
   void run() {
     std::vector<Side> doubtful = sides_to_flip();
+    run(doubtful);
+  }
+  /// The same of a mesh of which all other sides are as they should be. None is left in the list.
+  void run(std::vector<Side>& doubtful) {
     while (!doubtful.empty()) {
       const Side s = doubtful.back();
       doubtful.pop_back();
@@ -72,7 +76,8 @@ private:
     if (o.is_constrained()) return false;
     const Vertex_id a = mesh_.opposite(s), b = mesh_.source(s), c = mesh_.target(s), d = mesh_.opposite(o);
     const int side = Geometry::side_of_circle(mesh_.point(a), mesh_.point(b), mesh_.point(c), mesh_.point(d));
-    return side > 0 || (side == 0 && std::min(a, d) < std::min(b, c));
+    const auto number = [this](Vertex_id v) { return mesh_.input_number(v); };
+    return side > 0 || (side == 0 && std::min(number(a), number(d)) < std::min(number(b), number(c)));
   }
 };
 

@@ -64,8 +64,12 @@ public:
   /// \param mesh has nothing but points, which become its vertices; the three auxiliary ones come behind them
   /// \param vertex_blocks the blocks in which they are inserted, if there are several
   First_triangulation(Mesh& mesh, Vertex_blocks vertex_blocks)
+      : First_triangulation(mesh, std::move(vertex_blocks), place_box<ConcurrencyTag>(mesh.points.values())) {}
+
+  /// \param box the auxiliary vertices are around it; all others are in it
+  First_triangulation(Mesh& mesh, Vertex_blocks vertex_blocks, const Place_box<Point>& box)
       : mesh_(mesh), vertex_blocks_(std::move(vertex_blocks)), representative_(mesh.points.size()) {
-    start();
+    start(box);
     find_repeated();
   }
 
@@ -171,7 +175,7 @@ private:
     return mesh;
   }
 
-  void start() {
+  void start(const Place_box<Point>& box) {
     const std::size_t n = mesh_.points.size();
     mesh_.reserve(room_for(n), 0);
     mesh_.resize(n, 0);
@@ -179,7 +183,7 @@ private:
       const Vertex_id v = static_cast<Vertex_id>(i);
       mesh_.role_of[v] = input_vertex(v), mesh_.triangle_of[v] = {}, mesh_.is_dirty[v] = 1;
     });
-    const auto [low, high] = place_box<ConcurrencyTag>(mesh_.points.values());
+    const auto [low, high] = box;
     const Vector size = Geometry::difference(high, low);
     // A box of a few units in the last place has no room for a tenth of it.
     const double least_extent = 64 * std::max(Geometry::spacing(low), Geometry::spacing(high));

@@ -44,6 +44,9 @@ public:
                         Vertex_id first_auxiliary)
       : mesh_(mesh), is_kept_(is_kept), first_auxiliary_(first_auxiliary) {}
 
+  /// Whether a triangle with this shape is flat.
+  static bool is_flat(const typename Mesh::Shape& shape) { return is_below(flat_, shape); }
+
   /// The triangulation alone, and no handle of a triangle, decides what becomes of it.
   void run() {
     append_by_blocks<Chosen_tag>(stack_, mesh_.triangles.size(),
@@ -74,11 +77,11 @@ private:
   Vertex_id first_auxiliary_;
   std::vector<Triangle_id> stack_;
 
-  bool is_below(double sine, const Vertices& v) const {
-    const auto s = mesh_.shape(v[0], v[1], v[2]);
+  static bool is_below(double sine, const typename Mesh::Shape& s) {
     return !(s.area2 > 0 && s.area2 * s.area2 >= sine * sine * (s.longest() * s.shortest()));
   }
-  bool is_flat(const Vertices& v) const { return is_below(flat_, v); }
+  bool is_flat(const Vertices& v) const { return is_flat(shape(v)); }
+  typename Mesh::Shape shape(const Vertices& v) const { return mesh_.shape(v[0], v[1], v[2]); }
   bool is_input(Vertex_id v) const { return v < first_auxiliary_; }
   bool are_input(const Vertices& v) const { return is_input(v[0]) && is_input(v[1]) && is_input(v[2]); }
 
@@ -110,7 +113,7 @@ private:
   }
 
   bool is_worth_making(const Vertices& v) const {
-    return mesh_.orientation(v[0], v[1], v[2]) > 0 && !is_below(are_input(v) ? flat_ : wide_, v);
+    return mesh_.orientation(v[0], v[1], v[2]) > 0 && !is_below(are_input(v) ? flat_ : wide_, shape(v));
   }
 };
 
