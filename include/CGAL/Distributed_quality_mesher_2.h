@@ -34,11 +34,12 @@ namespace CGAL {
 /// The mesh is that of `Quality_mesher_2` with the same options, renumbered by `renumber_by_place()`, bit for bit, for
 /// any number of ranks. Each rank gets its part of it, as `distribute_mesh_2()` would give it.
 ///
-/// All ranks refine and coarsen together, in rounds of blocks, and finish the mesh. The first rank alone makes the
-/// constrained Delaunay triangulation of the input before that. A rank needs memory for its share of the mesh, for the
-/// seams between blocks, and for the graph. If options ask for more than rounds do, such as `thin()` or `conform()`, or
-/// rounds leave bad triangles, the first rank goes on with the whole mesh. If a graph is too small for two blocks of
-/// some 12 000 vertices, the first rank does everything.
+/// All ranks triangulate the domain, refine and coarsen together, in rounds of blocks, and finish the mesh. The first
+/// rank has the triangles of the domain before the rounds, and finds the acute corners in them. A rank needs memory for
+/// its share of the mesh, for the seams between blocks, and for the graph. If options ask for more than rounds do, such
+/// as `thin()` or `conform()`, or rounds leave bad triangles, the first rank goes on with the whole mesh. If a graph is
+/// too small for two blocks of some 12 000 vertices, the first rank does everything; if many of its vertices are along
+/// smooth curves, or it is refused, that rank triangulates it.
 ///
 /// All ranks have to call constructor and operators, and to give the same options. Functions of the user, such as a
 /// size field, are called at all ranks, and have to return the same at each. The progress callback is called at the

@@ -53,7 +53,8 @@ Pslg nested_squares(int squares, int cuts) {
     for (int side = 0; side < 4; ++side)
       for (int k = 0; k < cuts; ++k) {
         const double along = i * (2.0 * k / cuts - 1);
-        const double x[4] = {along, double(i), -along, double(-i)}, y[4] = {double(-i), along, double(i), -along};
+        const double x[4] = {along, double(i), -along, double(-i)},
+                     y[4] = {double(-i), along, double(i), -along};
         pslg.add_vertex(Point_2(x[side], y[side]));
       }
     const std::size_t n = pslg.number_of_vertices() - first;
@@ -86,7 +87,8 @@ TEST_CASE("Parts triangulate the domains of random graphs", "[parts][distributed
     }
 }
 
-TEST_CASE("Parts with several threads triangulate the domain of one thread", "[parts][distributed][threads]") {
+TEST_CASE("Parts with several threads triangulate the domain of one thread",
+          "[parts][distributed][threads]") {
   const Threads_for_tiny_blocks threads;
   for (const auto& family : random_pslg::all_families()) {
     CAPTURE(family.name);
@@ -95,7 +97,8 @@ TEST_CASE("Parts with several threads triangulate the domain of one thread", "[p
 }
 
 TEST_CASE("Parts triangulate named graphs, with blocks of some hundred vertices", "[parts][distributed]") {
-  for (const char* name : {"coast:2e4", "segments:3e3", "holes:1e3", "stars:3e3", "koch:3e3", "fan:1", "comb:1e3"}) {
+  for (const char* name :
+       {"coast:2e4", "segments:3e3", "holes:1e3", "stars:3e3", "koch:3e3", "fan:1", "comb:1e3"}) {
     CAPTURE(name);
     check<Small_blocks_tag>(named(name));
   }
@@ -140,7 +143,8 @@ TEST_CASE("Parts leave ambiguous seeds and crossings to one memory", "[parts][di
   CHECK_FALSE(is_made(crossing));
 }
 
-TEST_CASE("Parts make edges of segments that run through vertices, and along others", "[parts][distributed]") {
+TEST_CASE("Parts make edges of segments that run through vertices, and along others",
+          "[parts][distributed]") {
   check(lattice(12));
   check(lattice(12), Rule::NESTING_PARITY);
   check<Small_blocks_tag>(lattice(40));

@@ -12,9 +12,9 @@
 #include "tiny_blocks.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/In_memory_exchange.h>
-#include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/kernel_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_triangulation/First_mesh_of_parts.h>
@@ -68,7 +68,8 @@ inline Domain_mesh in_one_memory(const Sorted_graph& graph, std::size_t block_si
   First_triangulation<CGAL::Sequential_tag, Geometry> first(
       result.mesh, graph.points.values(), blocks_by_number(graph.points.size(), block_size));
   if (first.run(graph.segments)) return result;
-  Canonical_flipper<CGAL::Sequential_tag, Geometry>(result.mesh).run(); // also of what is too small for blocks
+  Canonical_flipper<CGAL::Sequential_tag, Geometry>(result.mesh)
+      .run(); // also of what is too small for blocks
   result.made.merged_vertices = first.number_of_repeated_vertices();
   result.made.vertices_on_segments = first.number_of_vertices_on_segments();
   result.made.edges = first.take_edges(), result.made.repeated_edges = first.take_repeated_edges();

@@ -36,7 +36,7 @@ void triangulate(const std::vector<typename Geometry::Point>& points,
   First first(state.mesh, points);
   REQUIRE_FALSE(first.run(kernel_segments));
   problem.edges = internal::Input_edges(first.edges(), points.size());
-  problem.edges.repeat(first.repeated_edges());
+  problem.edges.repeat(first.take_repeated_edges());
   problem.input_points.assign(points.begin(), points.end());
   problem.set_outside(
       internal::Domain_rule<Geometry>().apply(state.mesh, First::number_of_auxiliary_vertices));

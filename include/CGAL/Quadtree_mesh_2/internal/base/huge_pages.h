@@ -93,6 +93,27 @@ void give_back_values(Values& values, std::size_t begin, std::size_t end) {
   if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
 }
 
+/// Where the memory of arrays goes back to the system while they are read from the beginning: in large pieces, as each
+/// time takes the system long.
+class Pieces_given_back {
+public:
+  /// \param size of the arrays
+  explicit Pieces_given_back(std::size_t size) : size_(size) {}
+
+  /// What is before `end` is read. Calls `give_back(first, last)` if a piece is.
+  template <class Give_back>
+  void give_back_before(std::size_t end, const Give_back& give_back) {
+    if (end < first_ + piece_ && end != size_) return;
+    give_back(first_, end);
+    first_ = end;
+  }
+
+private:
+  static constexpr std::size_t piece_ = std::size_t(1) << 16;
+
+  std::size_t size_, first_ = 0;
+};
+
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.
 template <class Vector>
 void resize_with_pages(Vector& values, std::size_t size) {

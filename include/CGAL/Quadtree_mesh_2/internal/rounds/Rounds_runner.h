@@ -39,7 +39,8 @@ enum class Rounds_end {
 /// What is known of the first triangulation once its mesh is that of the domain.
 struct First_mesh {
   Edges_of_segments edges;
-  Input_edge_list repeated_edges; ///< edges of segments that overlap others, for each segment but the one in `edges`
+  /// Edges of segments that overlap others, for each segment but the one in `edges`.
+  Input_edge_list repeated_edges;
   std::vector<Outer_triangle> outer; ///< the triangles outside along the border
   std::size_t merged_vertices = 0, vertices_on_segments = 0;
 };

@@ -391,18 +391,22 @@ private:
   /// Gives each part its triangles, by runs of handles. The whole mesh loses those that are given.
   template <class Part_of>
   void give_triangles(Mesh& whole, const Part_of& part_of) {
+    Pieces_given_back given(mesh_.triangles.size());
     give_runs<Triangle_record>(
         mesh_.triangles.size(),
         [&](std::size_t begin, std::size_t end, auto& to) {
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
             if (whole.is_alive(t))
               to[static_cast<std::size_t>(part_of(whole, t))].push_back(record(whole, t));
-          give_back_values(whole.triangles, begin, end), give_back_values(whole.region_of, begin, end);
+          given.give_back_before(end, [&](std::size_t first, std::size_t last) {
+            give_back_values(whole.triangles, first, last), give_back_values(whole.region_of, first, last);
+          });
         },
         [this](const Triangle_record& r) { write(r), set_private(r.id); });
   }
   void give_vertices(Mesh& whole, const Vertex_parts& parts) {
     auto other = parts.others.begin();
+    Pieces_given_back given(mesh_.number_of_vertices());
     give_runs<Vertex_record>(
         mesh_.number_of_vertices(),
         [&](std::size_t begin, std::size_t end, auto& to) {
@@ -411,8 +415,10 @@ private:
             for (; other != parts.others.end() && other->first == v; ++other)
               to[static_cast<std::size_t>(other->second)].push_back(record(whole, v));
           }
-          take_known_points(whole, begin, std::min(known_, end));
-          give_back_vertices(whole, begin, end);
+          given.give_back_before(end, [&](std::size_t first, std::size_t last) {
+            take_known_points(whole, first, std::min(known_, last));
+            give_back_vertices(whole, first, last);
+          });
         },
         [this](const Vertex_record& r) { write(r), set_has(r.id); });
   }
@@ -421,11 +427,14 @@ private:
   /// \param take called for each record that is for this part
   template <class Record, class Fill, class Take>
   void give_runs(std::size_t size, const Fill& fill, const Take& take) {
-    for (std::size_t begin = 0; begin < size; begin += at_a_time) {
+    // Parcels are no larger than what comes from the heap at once.
+    const std::size_t run =
+        std::min(at_a_time, (std::size_t(1) << 11) * static_cast<std::size_t>(exchange_.size()));
+    for (std::size_t begin = 0; begin < size; begin += run) {
       Parcels outbox;
       if (exchange_.rank() == 0) {
         std::vector<std::vector<Record>> to(static_cast<std::size_t>(exchange_.size()));
-        fill(begin, std::min(size, begin + at_a_time), to);
+        fill(begin, std::min(size, begin + run), to);
         for (const Record& r : to[0]) take(r);
         for (std::size_t part = 1; part < to.size(); ++part)
           if (!to[part].empty()) outbox.push_back({static_cast<int>(part), bytes_of(to[part])});

@@ -6,8 +6,8 @@
 //
 // A graph of the first part meshed by all parts: the mesh of one memory, renumbered by place, in parts.
 //
-// All parts make the first mesh, and the first part holds it before the rounds of blocks. After them nobody does, unless they leave something,
-// or the options want more than Rounds_runner.h says.
+// All parts make the first mesh, and the first part holds it before the rounds of blocks. After them nobody does,
+// unless they leave something, or the options want more than Rounds_runner.h says.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_MESH_BY_ALL_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_MESH_BY_ALL_PARTS_H
@@ -113,7 +113,8 @@ mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& 
       if (exchange.rank() == 0)
         mesh = lead(exchange, mesher, graph, report, part);
       else
-        part = Helper_of_first_part<Traits, Inner_tag<ConcurrencyTag>, Exchange>(exchange, mesher.options()).run();
+        part = Helper_of_first_part<Traits, Inner_tag<ConcurrencyTag>, Exchange>(exchange, mesher.options())
+                   .run();
     });
   } catch (const Lone_error& lone) {
     std::rethrow_exception(lone.error);

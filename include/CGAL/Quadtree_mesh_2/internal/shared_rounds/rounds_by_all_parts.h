@@ -6,8 +6,8 @@
 //
 // The first mesh and the rounds of blocks of a mesher at the first part, made and run by all parts.
 //
-// The first part meshes. Others wait until it has work for all, or nothing more to do. For the first mesh it tells all of
-// the graph, and they make it (First_mesh_of_parts.h); the first part gets it. For rounds it tells all of the
+// The first part meshes. Others wait until it has work for all, or nothing more to do. For the first mesh it tells all
+// of the graph, and they make it (First_mesh_of_parts.h); the first part gets it. For rounds it tells all of the
 // problem, and they run them (Rounds_of_parts.h). If nothing is left then, they finish the mesh, too (Tail_of_parts.h),
 // and make that of the user from it (Conversion_of_parts.h). Otherwise the first part gets the mesh back.
 
@@ -117,7 +117,8 @@ public:
                        const Domain_rule<Geometry>& rule, First_mesh& made) override {
     if (vertex_blocks.size() < 2) return false; // too small
     made.merged_vertices = name_by_first(mesh.points, made.edges.segments);
-    tell_all_of(Work_of_all::FIRST_MESH, mesh.points, made.edges.segments, rule.rule, rule.holes, rule.regions);
+    tell_all_of(Work_of_all::FIRST_MESH, mesh.points, made.edges.segments, rule.rule, rule.holes,
+                rule.regions);
     const Kernel_graph<Geometry> graph{mesh.points, mesh.points.size(), made.edges.segments};
     const bool is_made = work_together([&] {
       First_mesh_of_parts<ConcurrencyTag, Exchange, Geometry> first(exchange_, graph, rule);

@@ -6,8 +6,8 @@
 //
 // Where no vertices and segments of a graph are but those of a run of vertices.
 //
-// Computes: for each vertex of the run the largest box of a part of the run, with the vertex in it, that meets no box of
-//           other parts of the graph (Graph_boxes.h); none if there is none.
+// Computes: for each vertex of the run the largest box of a part of the run, with the vertex in it, that meets no box
+//           of other parts of the graph (Graph_boxes.h); none if there is none.
 // Bound:    O(log n) time for each part of the run at its seams, and a pointer for 64 vertices.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_CLEAR_BOXES_H
@@ -83,7 +83,8 @@ private:
         Nothing(),
         [&](std::size_t begin, std::size_t end, const auto& node, Nothing) {
           return !is_met && !own_.has(Vertex_run{begin, end}) &&
-                 (do_meet(box, node.places) || (!Boxes::is_empty(node.segments) && do_meet(box, node.segments)));
+                 (do_meet(box, node.places) ||
+                  (!Boxes::is_empty(node.segments) && do_meet(box, node.segments)));
         },
         [&](std::size_t begin, std::size_t end, Span<Segment_index> segments, Nothing) {
           for (const Vertex_id v : Id_range<Vertex_id>(begin, end))

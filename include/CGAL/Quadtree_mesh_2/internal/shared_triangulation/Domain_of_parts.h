@@ -4,7 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Restricts a first triangulation in parts (Triangulation_of_parts.h) to the domain, as Domain_rule.h does in one memory.
+// Restricts a first triangulation in parts (Triangulation_of_parts.h) to the domain, as Domain_rule.h does in one
+// memory.
 //
 // Computes: the triangles that are kept, with the handles of Kept_triangles.h; their regions; and the triangles outside
 //           along the border, once flat ones are flipped.
@@ -63,7 +64,7 @@ public:
     piece_ = {};
     name_kept();
     seams.tell(exchange_, [this](std::size_t i) { return new_name_[i]; });
-    find_outer(seams, Flat_triangles_of_parts<Exchange, Geometry>(exchange_, part_, seams, is_kept_)
+    find_outer(seams, Flat_triangles_of_parts<Exchange, Geometry>(exchange_, part_, is_kept_)
                           .run(point_of, first_auxiliary_));
     keep(seams);
     return true;
@@ -124,7 +125,8 @@ private:
     outbox.push_back({0, std::move(archive.bytes)});
     Component_graph all;
     for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) add(parcel.bytes, all);
-    const bool is_known = exchange_.rank() != 0 || (are_all_held(all.holes, holes) && are_all_held(all.regions, regions));
+    const bool is_known =
+        exchange_.rank() != 0 || (are_all_held(all.holes, holes) && are_all_held(all.regions, regions));
     if (exchange_.min(is_known ? 1 : 0) == 0) return std::nullopt;
     return share_out(labels_of_all(rule, std::move(all), numbers), numbers);
   }
@@ -220,7 +222,8 @@ private:
   }
 
   /// Where what is across a side goes; none if it is not kept, or if nothing is there.
-  std::uint32_t new_name(const Seam_sides<Geometry>& seams, std::size_t& next_seam, std::size_t i, int k) const {
+  std::uint32_t new_name(const Seam_sides<Geometry>& seams, std::size_t& next_seam, std::size_t i,
+                         int k) const {
     const Side o = part_.triangles[i].side[k];
     if (o.is_border()) return none_;
     if (part_.has(o.triangle())) return new_name_[part_.place(o.triangle())];
@@ -241,9 +244,7 @@ private:
     Records_of_parts<Outer_triangle> outbox;
     outbox[0] = std::move(own);
     outer_ = exchange_and_join(exchange_, std::move(outbox));
-    const auto is_before = [](const Outer_triangle& s, const Outer_triangle& t) {
-      return s.a < t.a || (s.a == t.a && s.b < t.b);
-    };
+    const auto is_before = Chosen_triangles<Geometry>::is_before;
     for (Outer_triangle& o : outer_) {
       const auto found = std::lower_bound(seen.begin(), seen.end(), o, is_before);
       if (found != seen.end() && !is_before(o, *found)) o.apex = found->apex;

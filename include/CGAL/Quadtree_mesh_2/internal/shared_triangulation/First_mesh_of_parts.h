@@ -10,8 +10,8 @@
 // Bound:    each part has the graph, its own part of the first triangulation, and what is around that. Part 0 gets the
 //           triangles of the domain, without what is outside.
 //
-// Where this is of no use, nothing is changed: segments that cross, seeds on segments, vertices at one place that are not
-// next to each other in the order, and vertices of which many are near one empty circle, as on smooth curves.
+// Where this is of no use, nothing is changed: segments that cross, seeds on segments, vertices at one place that are
+// not next to each other in the order, and vertices of which many are near one empty circle, as on smooth curves.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_FIRST_MESH_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_FIRST_MESH_OF_PARTS_H

@@ -31,18 +31,78 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// Some triangles of a larger triangulation, with the handles that they have there.
+template <class Geometry>
+class Chosen_triangles {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+
+  struct Record {
+    Triangle_id id;
+    typename Mesh::Triangle triangle;
+  };
+
+  /// \param records by handle
+  /// \param point_of gives the places of vertices
+  template <class Point_of>
+  Chosen_triangles(const std::vector<Record>& records, const Point_of& point_of) {
+    for (const Record& r : records) vertices_.insert(vertices_.end(), r.triangle.v, r.triangle.v + 3);
+    sort_and_drop_equal(vertices_);
+    for (const Vertex_id v : vertices_) mesh_.add_vertex(point_of(v), input_vertex(v));
+    for (const Record& r : records) {
+      const Triangle_id t = mesh_.new_triangle();
+      for (int k = 0; k < 3; ++k) {
+        mesh_.triangle(t).v[k] = local(r.triangle.v[k]);
+        mesh_.triangle(t).side[k] = local(r.triangle.side[k], records);
+      }
+    }
+  }
+
+  /// The mesh of them: vertices have the order that they have there, and other triangles are beyond the border.
+  Mesh& mesh() { return mesh_; }
+  /// The first vertex that has this number there, or a greater one.
+  Vertex_id local(Vertex_id v) const {
+    return Vertex_id(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
+  }
+
+  /// What sees the border from within, by its ends in order.
+  std::vector<Outer_triangle> at_border() const {
+    std::vector<Outer_triangle> found;
+    const auto number = [this](Vertex_id v) { return vertices_[std::size_t(v)]; };
+    for (const Triangle_id t : mesh_.triangles.ids())
+      for (int k = 0; k < 3; ++k) {
+        const Side s(t, k);
+        if (mesh_.across(s).is_border())
+          found.push_back({number(mesh_.source(s)), number(mesh_.target(s)), number(mesh_.opposite(s))});
+      }
+    std::sort(found.begin(), found.end(), is_before);
+    return found;
+  }
+  static bool is_before(const Outer_triangle& s, const Outer_triangle& t) {
+    return s.a < t.a || (s.a == t.a && s.b < t.b);
+  }
+
+private:
+  std::vector<Vertex_id> vertices_; // by local handle
+  Mesh mesh_;
+
+  static Side local(Side o, const std::vector<Record>& records) {
+    if (o.is_border()) return o;
+    const auto found = std::lower_bound(records.begin(), records.end(), o.triangle(),
+                                        [](const Record& r, Triangle_id t) { return r.id < t; });
+    if (found == records.end() || found->id != o.triangle()) return Side::border();
+    return o.renamed(Triangle_id(found - records.begin()));
+  }
+};
+
 template <class Exchange, class Geometry>
 class Flat_triangles_of_parts {
 public:
-  using Mesh = Kernel_mesh<Geometry>;
   using Part = Part_triangles<Geometry>;
-  using Flipper = Flat_triangle_flipper<Geometry>;
 
-  /// \param seams that tell which triangles of others are kept: not 0
   /// \param is_kept by place in the part
-  Flat_triangles_of_parts(Exchange& exchange, const Part& part, const Seam_sides<Geometry>& seams,
-                          const std::vector<char>& is_kept)
-      : exchange_(exchange), part_(part), seams_(seams), is_kept_(is_kept) {}
+  Flat_triangles_of_parts(Exchange& exchange, const Part& part, const std::vector<char>& is_kept)
+      : exchange_(exchange), part_(part), is_kept_(is_kept) {}
 
   /// All parts call it, and part 0 gets the result.
   /// \param point_of gives the places of vertices, at all parts
@@ -56,18 +116,19 @@ public:
     for (const std::size_t i : with_neighbors(flat))
       outbox[0].push_back({Triangle_id(part_.begin + i), part_.triangles[i]});
     const std::vector<Record> all = exchange_and_join(exchange_, std::move(outbox));
-    return exchange_.rank() == 0 ? flip(all, point_of, first_auxiliary) : std::vector<Outer_triangle>();
+    if (exchange_.rank() != 0) return {};
+    Chosen_triangles<Geometry> chosen(all, point_of);
+    const Indexed_vector<Triangle_id, char> none_is_kept(all.size(), 0);
+    Flipper(chosen.mesh(), none_is_kept, chosen.local(first_auxiliary)).run();
+    return chosen.at_border();
   }
 
 private:
-  struct Record {
-    Triangle_id id;
-    typename Mesh::Triangle triangle;
-  };
+  using Record = typename Chosen_triangles<Geometry>::Record;
+  using Flipper = Flat_triangle_flipper<Geometry>;
 
   Exchange& exchange_;
   const Part& part_;
-  const Seam_sides<Geometry>& seams_;
   const std::vector<char>& is_kept_;
 
   template <class Point_of>
@@ -75,7 +136,8 @@ private:
     std::vector<std::size_t> flat;
     for (std::size_t i = 0; i < part_.size(); ++i) {
       const auto& v = part_.triangles[i].v;
-      if (is_kept_[i] == 0 && Flipper::is_flat(Mesh::shape(point_of(v[0]), point_of(v[1]), point_of(v[2]))))
+      if (is_kept_[i] == 0 &&
+          Flipper::is_flat(Kernel_mesh<Geometry>::shape(point_of(v[0]), point_of(v[1]), point_of(v[2]))))
         flat.push_back(i);
     }
     return flat;
@@ -93,53 +155,10 @@ private:
         else
           outbox[part_.part_of(o.triangle())].push_back(o.triangle());
       }
-    for (const Triangle_id t : exchange_and_join(exchange_, std::move(outbox))) found.push_back(part_.place(t));
+    for (const Triangle_id t : exchange_and_join(exchange_, std::move(outbox)))
+      found.push_back(part_.place(t));
     sort_and_drop_equal(found);
     return found;
-  }
-
-  template <class Point_of>
-  static std::vector<Outer_triangle> flip(const std::vector<Record>& records, const Point_of& point_of,
-                                          Vertex_id first_auxiliary) {
-    std::vector<Vertex_id> vertices;
-    for (const Record& r : records) vertices.insert(vertices.end(), r.triangle.v, r.triangle.v + 3);
-    sort_and_drop_equal(vertices);
-    const auto local = [](const auto& ids, const auto id, const auto& id_of) {
-      return static_cast<std::size_t>(
-          std::lower_bound(ids.begin(), ids.end(), id,
-                           [&](const auto& x, const auto& y) { return id_of(x) < y; }) -
-          ids.begin());
-    };
-    const auto local_vertex = [&](Vertex_id v) { return local(vertices, v, [](Vertex_id w) { return w; }); };
-    const auto local_triangle = [&](Triangle_id t) {
-      return local(records, t, [](const Record& r) { return r.id; });
-    };
-    Mesh mesh;
-    for (const Vertex_id v : vertices) mesh.add_vertex(point_of(v), input_vertex(v));
-    for (const Record& r : records) {
-      const Triangle_id t = mesh.new_triangle();
-      for (int k = 0; k < 3; ++k) {
-        mesh.triangle(t).v[k] = Vertex_id(local_vertex(r.triangle.v[k]));
-        const Side o = r.triangle.side[k];
-        const std::size_t u = o.is_border() ? records.size() : local_triangle(o.triangle());
-        const bool is_there = u < records.size() && records[u].id == o.triangle();
-        mesh.triangle(t).side[k] = is_there ? o.renamed(Triangle_id(u)) : Side::border();
-      }
-    }
-    const Indexed_vector<Triangle_id, char> none_is_kept(mesh.triangles.size(), 0);
-    Flipper(mesh, none_is_kept, Vertex_id(local_vertex(first_auxiliary))).run();
-    std::vector<Outer_triangle> seen;
-    for (const Triangle_id t : mesh.triangles.ids())
-      for (int k = 0; k < 3; ++k) {
-        const Side s(t, k);
-        if (mesh.across(s).is_border())
-          seen.push_back({vertices[std::size_t(mesh.source(s))], vertices[std::size_t(mesh.target(s))],
-                          vertices[std::size_t(mesh.opposite(s))]});
-      }
-    std::sort(seen.begin(), seen.end(), [](const Outer_triangle& s, const Outer_triangle& t) {
-      return s.a < t.a || (s.a == t.a && s.b < t.b);
-    });
-    return seen;
   }
 };
 

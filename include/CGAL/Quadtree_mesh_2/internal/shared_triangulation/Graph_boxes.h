@@ -84,7 +84,8 @@ public:
       : number_of_vertices_(graph.number_of_vertices), by_run_((number_of_vertices_ + run_ - 1) / run_) {
     sort_segments(graph);
     levels_.emplace_back(by_run_.size());
-    for_each_index<Chosen_tag>(by_run_.size(), [&](std::size_t run) { levels_[0][run] = node_of(graph, run); });
+    for_each_index<Chosen_tag>(by_run_.size(),
+                               [&](std::size_t run) { levels_[0][run] = node_of(graph, run); });
     while (levels_.back().size() > 1) add_level();
   }
 
@@ -106,7 +107,8 @@ public:
   }
 
   /// Visits runs of vertices from the largest to the smallest, and what is in the smallest.
-  /// \param wants `wants(begin, end, node, look)` tells whether to go into a run of vertices, and may leave out in `look`
+  /// \param wants `wants(begin, end, node, look)` tells whether to go into a run of vertices, and may leave out in
+  /// `look`
   ///        what is not looked for there
   /// \param visit `visit(begin, end, segments, look)`, with the run of vertices and the segments of these
   template <class Look, class Wants, class Visit>
@@ -139,7 +141,8 @@ private:
     const std::size_t n = graph.segments.size();
     for_each_index<Chosen_tag>(n, [&](std::size_t s) { by_run_.count(run_of(s)); });
     segments_.resize(by_run_.begin_placing());
-    for_each_index<Chosen_tag>(n, [&](std::size_t s) { segments_[by_run_.place(run_of(s))] = Segment_index(s); });
+    for_each_index<Chosen_tag>(
+        n, [&](std::size_t s) { segments_[by_run_.place(run_of(s))] = Segment_index(s); });
   }
 
   Span<Segment_index> segments_of(std::size_t run) const {
@@ -170,7 +173,8 @@ private:
     if (!wants(begin, end, levels_[level][i], look)) return;
     if (level == 0) return visit(begin, end, segments_of(i), look);
     const std::size_t last = end_of_children(level, i);
-    for (std::size_t child = first_child(i); child < last; ++child) descend(level - 1, child, look, wants, visit);
+    for (std::size_t child = first_child(i); child < last; ++child)
+      descend(level - 1, child, look, wants, visit);
   }
 };
 

@@ -77,7 +77,8 @@ private:
 
   void add_pieces(Segment_index s, Vertex_id from, Vertex_id to) {
     while (from != to) {
-      const Vertex_id next = next_on_way(from, to), a = mesh_.input_number(from), b = mesh_.input_number(next);
+      const Vertex_id next = next_on_way(from, to), a = mesh_.input_number(from),
+                      b = mesh_.input_number(next);
       if (is_own(a, b)) told_.push_back({s, std::min(a, b), std::max(a, b), 0, 0}), ++number_;
       from = next;
     }
@@ -85,7 +86,9 @@ private:
 
   /// The first vertex after another one on a segment that ends at a third one.
   Vertex_id next_on_way(Vertex_id from, Vertex_id to) const {
-    const auto direction = [&](Vertex_id v) { return Geometry::difference(mesh_.point(v), mesh_.point(from)); };
+    const auto direction = [&](Vertex_id v) {
+      return Geometry::difference(mesh_.point(v), mesh_.point(from));
+    };
     Vertex_id next;
     mesh_.for_each_triangle_at(from, [&](Triangle_id t, int k) {
       const auto& r = mesh_.triangle(t);
@@ -107,7 +110,8 @@ private:
             for (int k = 0; k < 3; ++k) {
               const Side s(t, k);
               if (!mesh_.across(s).is_constrained() || mesh_.across(s).is_border()) continue;
-              const Vertex_id a = mesh_.input_number(mesh_.source(s)), b = mesh_.input_number(mesh_.target(s));
+              const Vertex_id a = mesh_.input_number(mesh_.source(s)),
+                              b = mesh_.input_number(mesh_.target(s));
               found += a < b && stars_.own().has(a) ? 1 : 0;
             }
           return found;

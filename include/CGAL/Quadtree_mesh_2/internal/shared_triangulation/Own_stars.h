@@ -11,11 +11,12 @@
 // Bound:    that of First_triangulation.h for the run and O(r + n / 256) others, in practice, where r is the number of
 //           triangles at the run's seams; and O(log n) for each triangle at the run, for graphs without many long
 //           segments.
-// Method:   The run, a sample of all vertices, and all segments at the run are triangulated. Then each triangle at the run
-//           is asked whether there is a vertex in its circle that sees it, or a segment that meets it, which is not in
-//           the triangulation (Graph_boxes.h, Triangle_reach.h). These are inserted, and the triangles that are new are
-//           asked again, until no triangle knows of any. All that is asked is of the whole graph and exact: a triangle
-//           with an empty circle, as far as it is seen, is one of the triangulation of all (Lee and Lin, 1986).
+// Method:   The run, a sample of all vertices, and all segments at the run are triangulated. Then each triangle at the
+//           run is asked whether there is a vertex in its circle that sees it, or a segment that meets it, which is not
+//           in the triangulation (Graph_boxes.h, Triangle_reach.h). These are inserted, and the triangles that are new
+//           are asked again, until no triangle knows of any. All that is asked is of the whole graph and exact: a
+//           triangle with an empty circle, as far as it is seen, is one of the triangulation of all (Lee and Lin,
+//           1986).
 // Source:   ours. Parts that find stars from a graph that all know exchange nothing.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_OWN_STARS_H
@@ -55,10 +56,11 @@ public:
   /// \param box of all vertices of the graph
   /// \param own the run, without repeated vertices; of these there are no stars
   Own_stars(const Graph& graph, const Box& box, Vertex_run own)
-      : graph_(graph), box_(box), own_(own), boxes_(graph), clear_(graph, boxes_, own), local_(graph.number_of_vertices) {}
+      : graph_(graph), box_(box), own_(own), boxes_(graph), clear_(graph, boxes_, own),
+        local_(graph.number_of_vertices) {}
 
-  /// \returns false if the triangulation is of no use: segments cross, or vertices are at one place that are not next to
-  /// each other in the order; or it would take too long, as circles run along many vertices
+  /// \returns false if the triangulation is of no use: segments cross, or vertices are at one place that are not next
+  /// to each other in the order; or it would take too long, as circles run along many vertices
   bool run() {
     choose_vertices();
     if (!triangulate_chosen()) return false;
@@ -173,7 +175,8 @@ private:
 
   // ---- what is missing
 
-  /// Allows for the looks of the triangles with handles that are multiples of a step. \returns false if so many are done
+  /// Allows for the looks of the triangles with handles that are multiples of a step. \returns false if so many are
+  /// done
   bool has_time_for(std::size_t step) {
     most_looks_ = looks_for_triangle_ * (mesh_.triangles.size() / step + least_triangles_);
     return looks_ <= most_looks_;
@@ -193,8 +196,10 @@ private:
       for (std::size_t i = begin; i < end; ++i) ask(static_cast<Triangle_id>(i * step), found[b]);
     });
     Missing all;
-    append_all<ConcurrencyTag>(all.vertices, found, [](const Missing& m) -> const auto& { return m.vertices; });
-    append_all<ConcurrencyTag>(all.segments, found, [](const Missing& m) -> const auto& { return m.segments; });
+    append_all<ConcurrencyTag>(
+        all.vertices, found, [](const Missing& m) -> const auto& { return m.vertices; });
+    append_all<ConcurrencyTag>(
+        all.segments, found, [](const Missing& m) -> const auto& { return m.segments; });
     sort_and_drop_equal(all.vertices), sort_and_drop_equal(all.segments);
     return all;
   }
@@ -260,9 +265,9 @@ private:
     return Geometry::side_of_circle(a, b, c, p) >= 0;
   }
 
-  /// Whether a place in the circle of a triangle sees it, as far as the segments in the triangulation tell. All triangles
-  /// between have it in their circles, too, so it is beyond one side of each of them at most. While segments are
-  /// inserted, near-ties may not be decided, and a walk need not end; then it is taken to see it.
+  /// Whether a place in the circle of a triangle sees it, as far as the segments in the triangulation tell. All
+  /// triangles between have it in their circles, too, so it is beyond one side of each of them at most. While segments
+  /// are inserted, near-ties may not be decided, and a walk need not end; then it is taken to see it.
   bool sees(const Point& p, Triangle_id t, std::size_t& looks) const {
     for (std::size_t steps = mesh_.triangles.size(); steps > 0; --steps, ++looks) {
       const auto& r = mesh_.triangle(t);

@@ -6,8 +6,8 @@
 //
 // The triangles of a triangulation of which one part knows the stars of some vertices (Own_stars.h).
 //
-// Computes: the triangles whose least vertex is of the part's run, each from that vertex on, in the order of that and of
-//           their next vertex. So the triangles of all parts, one part after the other, are those of the whole
+// Computes: the triangles whose least vertex is of the part's run, each from that vertex on, in the order of that and
+//           of their next vertex. So the triangles of all parts, one part after the other, are those of the whole
 //           triangulation in the order of Kept_triangles.h. What is across a side is known but where the triangle there
 //           is another part's; such a side is open until that part has told its handle.
 // Bound:    O(t) for t triangles, in parallel, and O(d log d) for the d triangles of a vertex.
@@ -77,10 +77,11 @@ public:
   /// \param open gets the open sides, in order
   Triangles named_from(std::size_t first, std::vector<Open_side>& open) const {
     Triangles triangles(size());
-    append_by_blocks<Chosen_tag>(
-        open, size(), [&](std::size_t begin, std::size_t end, std::vector<Open_side>& found) {
-          for (std::size_t i = begin; i < end; ++i) triangles[i] = named(i, first, found);
-        });
+    append_by_blocks<Chosen_tag>(open, size(),
+                                 [&](std::size_t begin, std::size_t end, std::vector<Open_side>& found) {
+                                   for (std::size_t i = begin; i < end; ++i)
+                                     triangles[i] = named(i, first, found);
+                                 });
     return triangles;
   }
 
@@ -135,7 +136,8 @@ private:
         open.push_back({std::min(a, b), std::max(a, b), handle, static_cast<std::uint32_t>(k)});
       } else {
         const int slot = (o.slot() - own.slot() + 3) % 3;
-        named.side[k] = Side(static_cast<Triangle_id>(first + own.triangle().value()), slot, o.is_constrained());
+        named.side[k] =
+            Side(static_cast<Triangle_id>(first + own.triangle().value()), slot, o.is_constrained());
       }
     }
     return named;

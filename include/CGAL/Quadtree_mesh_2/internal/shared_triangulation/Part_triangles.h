@@ -29,8 +29,8 @@ template <class Geometry>
 struct Part_triangles {
   using Triangle = typename Kernel_mesh<Geometry>::Triangle;
 
-  Numbers first;                           ///< the first handle of each part, and the number of all
-  std::size_t begin = 0;                   ///< the first handle of this part
+  Numbers first;                            ///< the first handle of each part, and the number of all
+  std::size_t begin = 0;                    ///< the first handle of this part
   Uninitialized_vector<Triangle> triangles; ///< from the first on
 
   std::size_t size() const { return triangles.size(); }

@@ -7,8 +7,8 @@
 // Finds which of a part's own triangles (Own_triangles.h) hold points of holes and regions.
 //
 // Each part walks to all points, in shuffle order, through the triangulation that it has. Where it has stars of others,
-// walks may end in a triangle that is none of the whole triangulation; but then the point is in no triangle of this part,
-// or on a side of one. O(1) steps for each point on average.
+// walks may end in a triangle that is none of the whole triangulation; but then the point is in no triangle of this
+// part, or on a side of one. O(1) steps for each point on average.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_SEED_FINDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_SEED_FINDER_H
@@ -35,7 +35,7 @@ struct Seed_holder {
 /// What a part finds of some points.
 struct Seeds_found {
   std::vector<Seed_holder> held;
-  std::vector<char> is_beyond; ///< for each point, whether it is in no triangle of any part
+  std::vector<char> is_beyond;  ///< for each point, whether it is in no triangle of any part
   bool is_any_doubtful = false; ///< whether one is on a segment or a vertex, as far as this part can tell
 };
 
@@ -62,7 +62,8 @@ public:
         continue;
       }
       found.is_any_doubtful = found.is_any_doubtful || is_doubtful(end.triangle, points[p]);
-      if (own_.has(end.triangle)) found.held.push_back({p, static_cast<std::uint32_t>(own_.place(end.triangle))});
+      if (own_.has(end.triangle))
+        found.held.push_back({p, static_cast<std::uint32_t>(own_.place(end.triangle))});
     }
     return found;
   }

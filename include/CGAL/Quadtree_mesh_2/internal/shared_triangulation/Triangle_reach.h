@@ -112,11 +112,14 @@ public:
     for (int k = 0; k < 3; ++k)
       if (turn(k, a) < 0 && turn(k, b) < 0) return false;
     const int first = Geometry::orientation(a, b, p_[0]);
-    return first == 0 || Geometry::orientation(a, b, p_[1]) != first || Geometry::orientation(a, b, p_[2]) != first;
+    return first == 0 || Geometry::orientation(a, b, p_[1]) != first ||
+           Geometry::orientation(a, b, p_[2]) != first;
   }
 
   /// Whether the segment from corner k to a place leads into the triangle, or along a side of it.
-  bool is_entered(int k, const Point& to) const { return turn(k, to) >= 0 && turn(previous_slot[k], to) >= 0; }
+  bool is_entered(int k, const Point& to) const {
+    return turn(k, to) >= 0 && turn(previous_slot[k], to) >= 0;
+  }
 
 private:
   /// A coefficient, and by how much it may be off.

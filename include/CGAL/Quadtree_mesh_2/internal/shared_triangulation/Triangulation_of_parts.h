@@ -6,8 +6,8 @@
 //
 // The first triangulation (First_triangulation.h) of a graph that all parts know, each part with its own triangles.
 //
-// Computes: the canonical triangulation, with the handles of Kept_triangles.h. A part has the triangles whose least vertex
-//           is in its run of the vertices. Runs have the same number of vertices.
+// Computes: the canonical triangulation, with the handles of Kept_triangles.h. A part has the triangles whose least
+//           vertex is in its run of the vertices. Runs have the same number of vertices.
 // Bound:    that of Own_stars.h for each part, and messages for the triangles at seams alone.
 // Method:   Parts find their stars alone. They tell each other how many triangles they have, from which all know their
 //           handles. A side at a seam is told to the part of its lesser end, which tells both halves of each other.
@@ -117,7 +117,8 @@ private:
   }
 
   std::size_t first_vertex(int part) const {
-    return graph_.number_of_vertices * static_cast<std::size_t>(part) / static_cast<std::size_t>(exchange_.size());
+    return graph_.number_of_vertices * static_cast<std::size_t>(part) /
+           static_cast<std::size_t>(exchange_.size());
   }
   Vertex_run run_of(int part) const { return {first_vertex(part), first_vertex(part + 1)}; }
   /// The part in whose run a vertex is; the last one for auxiliary vertices.

@@ -39,7 +39,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -64,7 +63,8 @@ public:
   /// \param mesh has nothing but points, which become its vertices; the three auxiliary ones come behind them
   /// \param vertex_blocks the blocks in which they are inserted, if there are several
   First_triangulation(Mesh& mesh, Vertex_blocks vertex_blocks)
-      : First_triangulation(mesh, std::move(vertex_blocks), place_box<ConcurrencyTag>(mesh.points.values())) {}
+      : First_triangulation(mesh, std::move(vertex_blocks), place_box<ConcurrencyTag>(mesh.points.values())) {
+  }
 
   /// \param box the auxiliary vertices are around it; all others are in it
   First_triangulation(Mesh& mesh, Vertex_blocks vertex_blocks, const Place_box<Point>& box)
@@ -113,23 +113,16 @@ public:
   Vertex_id representative(Vertex_id v) const { return representative_[v]; }
   /// How many vertices others stand for.
   std::size_t number_of_repeated_vertices() const {
-    return reduce<ConcurrencyTag>(
-        representative_.size(), std::size_t(0),
-        [this](std::size_t begin, std::size_t end) {
-          std::size_t repeated = 0;
-          for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
-            repeated += std::size_t(representative_[v] != v ? 1 : 0);
-          return repeated;
-        },
-        std::plus<>());
+    std::size_t repeated = 0;
+    for (const Vertex_id v : representative_.ids()) repeated += representative_[v] != v ? 1u : 0u;
+    return repeated;
   }
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
   const Edges_of_segments& edges() const { return edges_; }
   Edges_of_segments take_edges() { return std::move(edges_); }
+  /// Edges of segments that overlap others, for each segment but the one in `edges()`.
   Input_edge_list take_repeated_edges() { return std::move(repeated_edges_); }
   Vertex_blocks take_vertex_blocks() { return std::move(vertex_blocks_); }
-  /// Edges of segments that overlap others, for each segment but the one in `edges()`.
-  const Input_edge_list& repeated_edges() const { return repeated_edges_; }
 
 private:
   /// Blocks of a round before the last have this part of the vertices of it that they have of all in the last, so that

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// For each edge that gets no vertices the first segment for which it is so, for others none; empty if all may get some.
+/// For each edge that gets no vertices the first segment for which it is so, for others none; empty if all may get
+/// some.
 using Kept_edges = Indexed_vector<Edge_id, Segment_index>;
 
 /// The edges along which a segment runs that is to be kept; none if the domain has to be known for that.
@@ -36,7 +37,8 @@ Kept_edges kept_edges_of(const Quality_mesh_options_2& options, const Pslg_2<Poi
   if (!is_all && (options.keep_borders() != Wish::MARKED || pslg.segment_markers.empty())) return {};
   Kept_edges kept(edges.size(), Segment_index());
   const auto keep = [&](Edge_id e, Segment_index s) {
-    if (is_all || pslg.segment_markers[std::size_t(s)] != 0) kept[e] = std::min(kept[e], s); // none is the greatest
+    if (is_all || pslg.segment_markers[std::size_t(s)] != 0)
+      kept[e] = std::min(kept[e], s); // none is the greatest
   };
   for (const Edge_id e : edges.ids()) keep(e, edges[e].segment);
   for (const Input_edge& r : repeated) keep(edges.between(r.a, r.b), r.segment);
