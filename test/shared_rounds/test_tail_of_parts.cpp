@@ -76,7 +76,7 @@ Outcome mesh_by_parts(int parts, const Result& expected, const Pslg& pslg, const
     if (is_first)
       whole = lead(exchange, mesher, stowable, report, part);
     else
-      part = Helper_of_first_part<Traits, Inner_tag<Tag>, Exchange>(exchange, options).run();
+      part = Helper_of_first_part<Traits, Inner_tag<Tag>, In_memory_exchange>(exchange, options).run();
     in_parts += part ? 1 : 0;
     if (is_first) is_same_report = is_same(report, expected.report);
     const Pslg& graph = is_first ? pslg : Pslg();

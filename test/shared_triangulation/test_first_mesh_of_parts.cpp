@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_first_mesh_of_parts {
@@ -174,6 +175,46 @@ TEST_CASE("Parts flip flat triangles outside as one memory does", "[parts][distr
     check(pslg);
     check(pslg, Rule::NESTING_PARITY);
   }
+}
+
+TEST_CASE("Parts agree on places so near to each other that products underflow", "[parts][distributed]") {
+  constexpr double tiny = 1e-115, extent = 0x1p199;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    random_pslg::Random random(seed);
+    Pslg pslg;
+    for (int i = random.integer(4, 60); i > 0; --i)
+      pslg.add_vertex(Point_2(random.between(-extent, extent), random.between(-extent, extent)));
+    const std::size_t first = pslg.number_of_vertices();
+    for (const auto& [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
+      pslg.add_vertex(Point_2(x * extent, y * extent));
+    for (std::size_t k = 0; k < 4; ++k) add_segment(pslg, first + k, first + (k + 1) % 4);
+    const int side = random.integer(6, 25);
+    for (int i = 0; i < side; ++i)
+      for (int j = 0; j < side; ++j)
+        pslg.add_vertex(
+            Point_2(tiny * (1000 * i + random.integer(0, 998)), tiny * (1000 * j + random.integer(0, 998))));
+    check(pslg, Rule::ENCLOSED, Wanted::ANYTHING);
+  }
+}
+
+TEST_CASE("Segments that meet in a vertex between their ends are no error of parts", "[parts][distributed]") {
+  Pslg pslg = nested_squares(1, 50);
+  const auto center = pslg.add_vertex(Point_2(0, 0));
+  for (std::size_t v = 0; v < 100; v += 4) add_segment(pslg, v, v + 100);
+  static_cast<void>(center);
+  check(pslg, Rule::ENCLOSED, Wanted::ANYTHING);
+}
+
+TEST_CASE("Parts cut the spokes of a hub in linear time", "[parts][distributed]") {
+  constexpr int spokes = 20000;
+  Pslg pslg;
+  pslg.add_vertex(Point_2(0, 0));
+  for (int i = 0; i < spokes; ++i)
+    for (const double r : {1.0, 2.0}) // by powers of two, so that vertices are on segments exactly
+      pslg.add_vertex(Point_2(r * (i - spokes / 2), r * spokes));
+  for (std::size_t i = 0; i < spokes; ++i) add_segment(pslg, 0, 2 * i + 2);
+  check<Small_blocks_tag>(pslg, Rule::ENCLOSED, Wanted::ANYTHING);
 }
 
 } // namespace test_first_mesh_of_parts

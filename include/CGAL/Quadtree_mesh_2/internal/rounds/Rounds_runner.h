@@ -72,7 +72,8 @@ public:
   /// mesh, which is that of the domain then.
   /// \param vertex_blocks those in which one memory would make it
   /// \param made has the segments as its edges: in the end it has the edges
-  /// \returns false, with all as it was, if it was of no use
+  /// \returns false if it was of no use; then segments end at the first of vertices at one place, and all else is as it
+  /// was
   virtual bool make_first_mesh(Kernel_mesh<Geometry>& mesh, const Vertex_blocks& vertex_blocks,
                                const Domain_rule<Geometry>& rule, First_mesh& made) = 0;
 

@@ -133,7 +133,8 @@ public:
   Rounds_end run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
                  Block_rounds& rounds, const std::function<bool(double)>& shall_go_on,
                  const Rounds_tail* tail) override {
-    Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr, are_points_known_};
+    Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr,
+                             std::exchange(are_points_known_, false)};
     tell_all_of(Work_of_all::ROUNDS, frame_, job);
     agree_on_work(exchange_, [] {}); // others make bounds
     Quality_mesh_report_2 nobody_reads;
@@ -164,7 +165,7 @@ private:
   Stowable_graph<Point_2>& graph_;
   Graph_frame<Point_2> frame_; // once the graph may be stowed
   bool are_all_at_work_ = false;
-  bool are_points_known_ = false; // to all
+  bool are_points_known_ = false; // to all, until rounds have used them up
   Mesh_in_parts<Point_2> part_;
 
   template <class... T>

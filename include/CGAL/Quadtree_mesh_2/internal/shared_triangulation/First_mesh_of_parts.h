@@ -10,8 +10,9 @@
 // Bound:    each part has the graph, its own part of the first triangulation, and what is around that. Part 0 gets the
 //           triangles of the domain, without what is outside.
 //
-// Where this is of no use, nothing is changed: segments that cross, seeds on segments, vertices at one place that are
-// not next to each other in the order, and vertices of which many are near one empty circle, as on smooth curves.
+// Where this is of no use, nothing is changed: segments that cross, or run through a vertex that is an end of neither;
+// seeds on segments; vertices at one place that are not next to each other in the order, and vertices of which many are
+// near one empty circle, as on smooth curves.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_FIRST_MESH_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_FIRST_MESH_OF_PARTS_H
@@ -81,7 +82,8 @@ private:
   Domain_of_parts<Exchange, Geometry> domain_;
 
   /// So many are on their way to part 0 at a time.
-  static constexpr std::size_t at_a_time_ = std::size_t(1) << 17;
+  static constexpr std::size_t at_a_time_ = std::size_t(1) << 17, least_ = std::size_t(1)
+                                                                           << 12; // of each part
 
   void gather_triangles(Mesh& mesh) {
     auto& part = triangulation_.part();
@@ -92,7 +94,7 @@ private:
       mesh.triangles.resize(size);
       mesh.region_of.resize(has_regions ? size : 0);
     }
-    const std::size_t of_each = at_a_time_ / static_cast<std::size_t>(exchange_.size()) + 1;
+    const std::size_t of_each = std::max(least_, at_a_time_ / static_cast<std::size_t>(exchange_.size()));
     const auto most = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(part.size())));
     for (std::size_t begin = 0; begin < most; begin += of_each) {
       const std::size_t end = std::min(part.size(), begin + of_each);

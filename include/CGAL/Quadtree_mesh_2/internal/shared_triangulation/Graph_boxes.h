@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t run_ = 16, children_ = 4; // a power of 4
+  static constexpr std::size_t run_ = 16, children_ = 4;
 
   std::size_t number_of_vertices_;
   Run_counters by_run_; // of segments

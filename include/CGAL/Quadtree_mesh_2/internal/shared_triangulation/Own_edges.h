@@ -8,8 +8,7 @@
 //
 // Computes: how many there are, an edge counted for each segment along it; and those that somebody who has the segments
 //           does not know: the edges of segments that vertices cut, and of those that run along edges of others.
-// Bound:    O(s) for s segments at the run on average, O(d) for each piece of a cut one at a vertex of degree d, and
-//           O(s log s) if any edge has several segments.
+// Bound:    O(s) for s segments and pieces at the run on average, and O(s log s) if any edge has several segments.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_OWN_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_OWN_EDGES_H
@@ -19,6 +18,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -45,6 +46,7 @@ class Own_edges {
 public:
   using Stars = Own_stars<ConcurrencyTag, Geometry>;
   using Graph = Kernel_graph<Geometry>;
+  using Mesh = Kernel_mesh<Geometry>;
 
   Own_edges(const Graph& graph, const Stars& stars) : graph_(graph), mesh_(stars.mesh()), stars_(stars) {
     for (std::size_t s = 0; s < graph.segments.size(); ++s) add(Segment_index(s));
@@ -58,7 +60,7 @@ public:
 
 private:
   const Graph& graph_;
-  const Kernel_mesh<Geometry>& mesh_;
+  const Mesh& mesh_;
   const Stars& stars_;
   std::size_t number_ = 0;
   std::vector<Told_edge> told_;
@@ -75,29 +77,36 @@ private:
       add_pieces(s, x, y);
   }
 
+  /// Goes along a segment from both ends, in step around the vertices there: one of them may be a hub.
   void add_pieces(Segment_index s, Vertex_id from, Vertex_id to) {
     while (from != to) {
-      const Vertex_id next = next_on_way(from, to), a = mesh_.input_number(from),
-                      b = mesh_.input_number(next);
-      if (is_own(a, b)) told_.push_back({s, std::min(a, b), std::max(a, b), 0, 0}), ++number_;
-      from = next;
+      Fan_walk<Mesh> at_from(mesh_, from), at_to(mesh_, to);
+      Vertex_id next = next_on_way(at_from, from, to), before = next_on_way(at_to, to, from);
+      while (!next.is_valid() && !before.is_valid()) {
+        const bool has_more = at_from.advance(), other_has_more = at_to.advance();
+        if (!has_more && !other_has_more) throw std::logic_error("a segment is not in a triangulation");
+        next = next_on_way(at_from, from, to), before = next_on_way(at_to, to, from);
+      }
+      if (next.is_valid())
+        add_piece(s, std::exchange(from, next), next);
+      else
+        add_piece(s, std::exchange(to, before), before);
     }
   }
+  void add_piece(Segment_index s, Vertex_id v, Vertex_id w) {
+    const Vertex_id a = mesh_.input_number(v), b = mesh_.input_number(w);
+    if (is_own(a, b)) told_.push_back({s, std::min(a, b), std::max(a, b), 0, 0}), ++number_;
+  }
 
-  /// The first vertex after another one on a segment that ends at a third one.
-  Vertex_id next_on_way(Vertex_id from, Vertex_id to) const {
-    const auto direction = [&](Vertex_id v) {
-      return Geometry::difference(mesh_.point(v), mesh_.point(from));
-    };
-    Vertex_id next;
-    mesh_.for_each_triangle_at(from, [&](Triangle_id t, int k) {
-      const auto& r = mesh_.triangle(t);
-      const Vertex_id v = r.v[next_slot[k]];
-      if (r.side[previous_slot[k]].is_constrained() && mesh_.orientation(from, v, to) == 0 &&
-          dot(direction(v), direction(to)) > 0)
-        next = v;
-    });
-    return next;
+  /// The first vertex after another one on a segment that ends at a third one, if the triangle of the walk has it.
+  Vertex_id next_on_way(const Fan_walk<Mesh>& walk, Vertex_id from, Vertex_id to) const {
+    const auto& r = mesh_.triangle(walk.triangle());
+    const Vertex_id v = r.v[next_slot[walk.slot()]];
+    if (!r.side[previous_slot[walk.slot()]].is_constrained() || mesh_.orientation(from, v, to) != 0)
+      return {};
+    Place_box<typename Geometry::Point> box{mesh_.point(from), mesh_.point(from)};
+    box.add(mesh_.point(to));
+    return do_meet(box, {mesh_.point(v), mesh_.point(v)}) ? v : Vertex_id();
   }
 
   /// The constrained edges of the triangulation with their lesser vertex in the run. All triangles at it are there.

@@ -98,6 +98,8 @@ private:
   static constexpr std::size_t looks_for_triangle_ = 64, least_triangles_ = 32768, few_ = 64;
   /// How many looks a vertex is worth for which filtered predicates are no help.
   static constexpr std::size_t looks_for_exact_ = 32;
+  /// How many triangles are a look where all of them are gone through.
+  static constexpr std::size_t triangles_for_look_ = 16;
 
   using Reach = Triangle_reach<Geometry>;
   using Corners = std::array<Vertex_id, 3>;
@@ -232,7 +234,7 @@ private:
           if (look.segment && find_segment(t, k, reach, segments, missing)) left.segment = false;
         });
     looks_.fetch_add(looks, std::memory_order_relaxed);
-    if (left.is_any_found()) asked_[t] = {}; // there may be more
+    if (left.is_any_found() || is_late(0)) asked_[t] = {}; // there may be more
   }
 
   /// \param first the slot of the reach's first corner
@@ -266,10 +268,10 @@ private:
   }
 
   /// Whether a place in the circle of a triangle sees it, as far as the segments in the triangulation tell. All
-  /// triangles between have it in their circles, too, so it is beyond one side of each of them at most. While segments
-  /// are inserted, near-ties may not be decided, and a walk need not end; then it is taken to see it.
+  /// triangles between have it in their circles, too, so it is beyond one side of each of them at most.
+  /// \pre the triangulation is canonical
   bool sees(const Point& p, Triangle_id t, std::size_t& looks) const {
-    for (std::size_t steps = mesh_.triangles.size(); steps > 0; --steps, ++looks) {
+    for (;; ++looks) {
       const auto& r = mesh_.triangle(t);
       int k = 0;
       while (k < 3 && !is_behind_side(mesh_, r, k, p)) ++k;
@@ -277,7 +279,6 @@ private:
       if (r.side[k].is_constrained()) return false;
       t = r.side[k].triangle();
     }
-    return true;
   }
 
   /// \param first the slot of the reach's first corner
@@ -314,29 +315,32 @@ private:
   // ---- and inserted
 
   bool insert(const Missing& missing) {
-    std::vector<Found<Segment_index>> segments = missing.segments;
+    std::vector<Found<Segment_index>> segments = missing.segments, for_later;
     if (!insert(missing.vertices, segments)) return false;
-    Segment_inserter<Geometry> inserter(mesh_);
     sort_and_drop_equal(segments);
+    std::vector<Found<Vertex_id>> ends;
+    for (const auto& [s, near] : segments)
+      for (const Vertex_id v : graph_.segments[std::size_t(s)]) ends.push_back({v, near});
+    if (!insert(std::move(ends), for_later)) return false;
+    Segment_inserter<Geometry> inserter(mesh_);
     for (const auto& [s, near] : segments) {
-      const Segment_ends& ends = graph_.segments[std::size_t(s)];
-      std::vector<Found<Segment_index>> for_later;
-      if (!insert({{ends[0], near}, {ends[1], near}}, for_later)) return false;
-      if (is_late(0)) return false;
+      const Segment_ends& of_graph = graph_.segments[std::size_t(s)];
       try {
-        inserter.insert(local_[ends[0]], local_[ends[1]], s);
+        inserter.insert(local_[of_graph[0]], local_[of_graph[1]], s);
       } catch (const Crossing&) {
         return false;
       }
+      segments_.push_back(s);
     }
-    for (const auto& [s, near] : segments) segments_.push_back(s);
     std::sort(segments_.begin(), segments_.end());
     return true;
   }
 
-  /// Inserts vertices, and what triangles at them ask for. \returns false if two are at one place
+  /// Inserts vertices, and what triangles at them ask for.
+  /// \returns false if two are at one place, or if it takes too long
   bool insert(std::vector<Found<Vertex_id>> vertices, std::vector<Found<Segment_index>>& segments) {
-    while (!vertices.empty() && !is_late(0)) {
+    while (!vertices.empty()) {
+      if (is_late(0)) return false;
       const auto [number, near] = vertices.back();
       vertices.pop_back();
       if (local_[number].is_valid()) continue;
@@ -364,6 +368,7 @@ private:
   /// Segments have changed triangles here and there.
   void flip_changed() {
     std::vector<Side> doubtful;
+    looks_ += mesh_.triangles.size() / triangles_for_look_;
     asked_.resize(mesh_.triangles.size());
     for (const Triangle_id t : mesh_.triangles.ids())
       for (int k = 0; k < 3 && asked_[t] != corners_of(t); ++k) doubtful.push_back(Side(t, k));

@@ -8,7 +8,8 @@
 //
 // Each part walks to all points, in shuffle order, through the triangulation that it has. Where it has stars of others,
 // walks may end in a triangle that is none of the whole triangulation; but then the point is in no triangle of this
-// part, or on a side of one. O(1) steps for each point on average.
+// part, or on a side of one. So it may be that no part finds a point on a free side at a seam.
+// O(1) steps for each point on average.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_SEED_FINDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_SEED_FINDER_H

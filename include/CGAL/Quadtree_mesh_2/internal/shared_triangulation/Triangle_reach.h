@@ -74,6 +74,7 @@ public:
     box_.add(p_[1]), box_.add(p_[2]);
     const Vector u = Geometry::difference(p_[1], p_[0]), w = Geometry::difference(p_[2], p_[0]);
     const double u2 = squared_length(u), w2 = squared_length(w);
+    is_reliable_ = least_square < u2 && least_square < w2 && u2 + w2 < greatest_square;
     area_error_ = rounding_of_reach * (fabs(u.x * w.y) + fabs(u.y * w.x));
     area_ = cross(u, w) - area_error_;
     x_ = {w.y * u2 - u.y * w2, rounding_of_reach * (fabs(w.y) * u2 + fabs(u.y) * w2)};
@@ -82,7 +83,7 @@ public:
 
   /// Whether the circle is certainly in a box.
   bool is_within(const Box& box) const {
-    if (!(area_ > 1e8 * area_error_)) return false;
+    if (!is_reliable_ || !(area_ > 1e8 * area_error_)) return false;
     const double x = x_.value / (2 * area_), y = y_.value / (2 * area_); // of the center
     const double reach = (1 + 1e-6) * std::sqrt(x * x + y * y) + (x_.error + y_.error) / area_;
     const Vector low = Geometry::difference(box.low, p_[0]), high = Geometry::difference(box.high, p_[0]);
@@ -95,7 +96,8 @@ public:
     for (int k = 0; k < 3; ++k)
       if (is_wall_[k] && is_right_of<Geometry>(box, p_[next_slot[k]], p_[previous_slot[k]])) return false;
     const Vector low = Geometry::difference(box.low, p_[0]), high = Geometry::difference(box.high, p_[0]);
-    return !(least(x_, low.x, high.x) + least(y_, low.y, high.y) > 0);
+    if (!is_reliable_ || !(squared_length(low) + squared_length(high) < greatest_square)) return true;
+    return !(least(x_, low.x, high.x) + least(y_, low.y, high.y) > least_certain);
   }
 
   /// Whether the triangle and the box may have a point in common. \pre the box is not empty
@@ -127,8 +129,14 @@ private:
     double value, error;
   };
 
+  /// Products of four lengths whose squares are between these neither underflow nor overflow.
+  static constexpr double least_square = 1e-140, greatest_square = 1e140;
+  /// Below this, products may have underflowed.
+  static constexpr double least_certain = 1e-290;
+
   Point p_[3];
   bool is_wall_[3];
+  bool is_reliable_; // what is known of the circle
   Box box_;
   // A place p, seen from the first corner, is in the circle if area * p^2 < (x, y) * p.
   double area_, area_error_; // at most that large, as it may be off

@@ -75,8 +75,7 @@ public:
         auxiliary_[k] = stars->mesh().point(auxiliary_vertex(*stars, k));
       own.reset(), stars.reset();
     });
-    close(open);
-    return true;
+    return close(open);
   }
 
   /// The triangles of this part, by the numbers of vertices.
@@ -143,21 +142,23 @@ private:
   }
 
   /// Fills in what is across the open sides of all parts.
-  void close(const std::vector<Open_side>& open) {
+  /// \returns false, at all parts, if it is not told for each of them: then parts have different triangulations
+  bool close(const std::vector<Open_side>& open) {
     Records_of_parts<Open_side> outbox;
     for (const Open_side& s : open) outbox[part_of(s.a)].push_back(s);
     std::vector<Open_side> halves = exchange_and_join(exchange_, std::move(outbox));
     std::sort(halves.begin(), halves.end());
     Records_of_parts<Pair> pairs;
-    for (std::size_t i = 0; i < halves.size(); i += 2) {
-      if (i + 1 == halves.size() || halves[i] < halves[i + 1])
-        throw std::logic_error("parts have different triangulations");
+    bool is_right = halves.size() % 2 == 0;
+    for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
+      is_right = is_right && !(halves[i] < halves[i + 1]);
       pairs[part_.part_of(halves[i].triangle)].push_back({halves[i], halves[i + 1]});
       pairs[part_.part_of(halves[i + 1].triangle)].push_back({halves[i + 1], halves[i]});
     }
     for (const Pair& p : exchange_and_join(exchange_, std::move(pairs)))
       part_.triangles[part_.place(p.here.triangle)].side[p.here.slot & 3] =
           Side(p.there.triangle, static_cast<int>(p.there.slot & 3), (p.here.slot & constrained_) != 0);
+    return exchange_.min(is_right ? 1 : 0) == 1;
   }
 };
 
