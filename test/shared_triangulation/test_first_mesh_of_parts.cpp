@@ -109,7 +109,7 @@ TEST_CASE("Parts triangulate named graphs, with blocks of some hundred vertices"
 }
 
 TEST_CASE("Parts leave to one memory what would take them long", "[parts][distributed]") {
-  for (const char* name : {"circle:1e5", "blob:1e5", "parabola:1e5", "line:1e5"}) {
+  for (const char* name : {"circle:1e4", "blob:2e4", "parabola:1e4", "line:1e4"}) {
     CAPTURE(name);
     check<Small_blocks_tag>(named(name), Rule::ENCLOSED, Wanted::ANYTHING);
   }

@@ -427,9 +427,9 @@ private:
   /// \param take called for each record that is for this part
   template <class Record, class Fill, class Take>
   void give_runs(std::size_t size, const Fill& fill, const Take& take) {
-    // Parcels are no larger than what comes from the heap at once.
-    const std::size_t run =
-        std::min(at_a_time, (std::size_t(1) << 11) * static_cast<std::size_t>(exchange_.size()));
+    // Most of a run goes to one part: so few that their parcel comes from the heap at once, and needs no pages of its
+    // own.
+    constexpr std::size_t run = std::size_t(1) << 12;
     for (std::size_t begin = 0; begin < size; begin += run) {
       Parcels outbox;
       if (exchange_.rank() == 0) {
