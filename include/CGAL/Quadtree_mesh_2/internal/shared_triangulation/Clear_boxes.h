@@ -9,6 +9,7 @@
 // Computes: for each vertex of the run the largest box of a part of the run, with the vertex in it, that meets no box
 //           of other parts of the graph (Graph_boxes.h); none if there is none.
 // Bound:    O(log n) time for each part of the run at its seams, and a pointer for 64 vertices.
+// Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_CLEAR_BOXES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_CLEAR_BOXES_H

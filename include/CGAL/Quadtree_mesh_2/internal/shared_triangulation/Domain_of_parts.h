@@ -13,6 +13,7 @@
 //           piece of a component in a part, and for each pair of pieces next to each other; and flat triangles
 //           (Flat_triangles_of_parts.h).
 // Method:   Each part floods its pieces of the components. Part 0 decides (Component_levels.h), and tells each part.
+// Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_DOMAIN_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_DOMAIN_OF_PARTS_H

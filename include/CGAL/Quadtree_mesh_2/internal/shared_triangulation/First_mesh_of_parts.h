@@ -9,6 +9,7 @@
 // Computes: what First_triangulation.h and Domain_rule.h make in one memory, with the same bits.
 // Bound:    each part has the graph, its own part of the first triangulation, and what is around that. Part 0 gets the
 //           triangles of the domain, without what is outside.
+// Source:   ours.
 //
 // Where this is of no use, nothing is changed: segments that cross, or run through a vertex that is an end of neither;
 // seeds on segments; vertices at one place that are not next to each other in the order, and vertices of which many are
@@ -81,9 +82,8 @@ private:
   Triangulation_of_parts<ConcurrencyTag, Exchange, Geometry> triangulation_;
   Domain_of_parts<Exchange, Geometry> domain_;
 
-  /// So many are on their way to part 0 at a time.
-  static constexpr std::size_t at_a_time_ = std::size_t(1) << 17, least_ = std::size_t(1)
-                                                                           << 12; // of each part
+  /// So many are on their way to part 0 at a time, or at least so many of each part.
+  static constexpr std::size_t at_a_time_ = 1u << 17, least_ = 1u << 12;
 
   void gather_triangles(Mesh& mesh) {
     auto& part = triangulation_.part();

@@ -10,6 +10,7 @@
 // Bound:    O(f log f) for the f flat triangles outside, all of them at part 0. Most maps have none, or few.
 // Method:   A flip takes two triangles that were flat, or next to a flat one, or made by such flips, and leaves no flat
 //           one. So flips are those of the flat triangles and of what is beside them, which part 0 gets from all.
+// Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_FLAT_TRIANGLES_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_FLAT_TRIANGLES_OF_PARTS_H

@@ -108,8 +108,7 @@ public:
 
   /// Visits runs of vertices from the largest to the smallest, and what is in the smallest.
   /// \param wants `wants(begin, end, node, look)` tells whether to go into a run of vertices, and may leave out in
-  /// `look`
-  ///        what is not looked for there
+  ///        `look` what is not looked for there
   /// \param visit `visit(begin, end, segments, look)`, with the run of vertices and the segments of these
   template <class Look, class Wants, class Visit>
   void descend(const Look& look, const Wants& wants, const Visit& visit) const {
@@ -148,6 +147,7 @@ private:
   Span<Segment_index> segments_of(std::size_t run) const {
     return {segments_.data() + by_run_.begin(run), segments_.data() + by_run_.end(run)};
   }
+
   Node node_of(const Graph& graph, std::size_t run) const {
     Node node;
     for (const Vertex_id v : Id_range<Vertex_id>(first_vertex(0, run), first_vertex(0, run + 1)))

@@ -9,6 +9,7 @@
 // Computes: how many there are, an edge counted for each segment along it; and those that somebody who has the segments
 //           does not know: the edges of segments that vertices cut, and of those that run along edges of others.
 // Bound:    O(s) for s segments and pieces at the run on average, and O(s log s) if any edge has several segments.
+// Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_OWN_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_OWN_EDGES_H

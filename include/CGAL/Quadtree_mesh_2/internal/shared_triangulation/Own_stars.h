@@ -81,15 +81,13 @@ public:
   /// The triangulation. `Mesh::input_number()` gives the number in the graph of a vertex; that of the auxiliary ones
   /// follows on the last of them.
   const Mesh& mesh() const { return mesh_; }
-  Mesh take_mesh() { return std::move(mesh_); }
   bool is_own(Vertex_id v) const { return own_.has(mesh_.input_number(v)); }
   /// The vertex with a number in the graph, if it is in the triangulation.
   Vertex_id local(Vertex_id number) const { return local_[number]; }
   /// Whether a segment is in the triangulation.
   bool is_in(Segment_index s) const {
     const Segment_ends& ends = graph_.segments[std::size_t(s)];
-    return own_.has(ends[0]) || own_.has(ends[1]) ||
-           std::binary_search(segments_.begin(), segments_.end(), s);
+    return is_own_end(ends) || std::binary_search(segments_.begin(), segments_.end(), s);
   }
 
 private:
@@ -177,8 +175,8 @@ private:
 
   // ---- what is missing
 
-  /// Allows for the looks of the triangles with handles that are multiples of a step. \returns false if so many are
-  /// done
+  /// Allows for the looks of the triangles with handles that are multiples of a step.
+  /// \returns false if so many are done
   bool has_time_for(std::size_t step) {
     most_looks_ = looks_for_triangle_ * (mesh_.triangles.size() / step + least_triangles_);
     return looks_ <= most_looks_;

@@ -11,6 +11,7 @@
 // Bound:    that of Own_stars.h for each part, and messages for the triangles at seams alone.
 // Method:   Parts find their stars alone. They tell each other how many triangles they have, from which all know their
 //           handles. A side at a seam is told to the part of its lesser end, which tells both halves of each other.
+// Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_TRIANGULATION_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_TRIANGULATION_TRIANGULATION_OF_PARTS_H
@@ -43,7 +44,8 @@ public:
   using Point = typename Geometry::Point;
   using Part = Part_triangles<Geometry>;
 
-  static constexpr std::size_t number_of_auxiliary_vertices = 3;
+  static constexpr std::size_t number_of_auxiliary_vertices =
+      First_triangulation<ConcurrencyTag, Geometry>::number_of_auxiliary_vertices;
 
   /// \param graph the same at all parts, with a vertex at least
   Triangulation_of_parts(Exchange& exchange, const Graph& graph) : exchange_(exchange), graph_(graph) {}
