@@ -60,18 +60,22 @@ constexpr Direction_set forced_by_square(int x, int y, bool across_corners) {
 }
 
 /// What is forced around a square, by the split child and the set that the child forces around itself.
+/// Compilers are slow at what they compute themselves, and compute this for whoever includes the file. So each set is
+/// made from a smaller one.
 class Forcing_table {
 public:
   constexpr explicit Forcing_table(bool across_corners) {
-    for (int q = 0; q < 4; ++q)
-      for (std::size_t set = 0; set < 256; ++set) {
-        Direction_set forced = forced_by_square(q / 2, q % 2, across_corners);
-        for (Direction d : all_directions())
-          if ((set >> static_cast<int>(d) & 1) != 0)
-            forced = static_cast<Direction_set>(
-                forced | forced_by_square(q / 2 + step_x(d), q % 2 + step_y(d), across_corners));
-        entries_[static_cast<std::size_t>(q)][set] = forced;
+    for (int q = 0; q < 4; ++q) {
+      auto& entries = entries_[static_cast<std::size_t>(q)];
+      entries[0] = forced_by_square(q / 2, q % 2, across_corners);
+      for (Direction d : all_directions()) {
+        const Direction_set by_direction =
+            forced_by_square(q / 2 + step_x(d), q % 2 + step_y(d), across_corners);
+        const std::size_t bit = std::size_t(1) << static_cast<int>(d);
+        for (std::size_t set = bit; set < 2 * bit; ++set)
+          entries[set] = static_cast<Direction_set>(entries[set - bit] | by_direction);
       }
+    }
   }
 
   constexpr Direction_set forced(int child, Direction_set by_child) const {
