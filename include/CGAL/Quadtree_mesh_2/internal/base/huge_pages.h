@@ -115,9 +115,10 @@ private:
 };
 
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.
+/// \param more for so many values behind them there is room, without pages
 template <class Vector>
-void resize_with_pages(Vector& values, std::size_t size) {
-  values.reserve(size);
+void resize_with_pages(Vector& values, std::size_t size, std::size_t more = 0) {
+  values.reserve(size + more);
   ask_for_pages(values.data(), size * sizeof(typename Vector::value_type));
   values.resize(size);
 }

@@ -65,12 +65,14 @@ private:
   /// Foreign vertices among others, sorted and without equal ones.
   class Foreign_list {
   public:
-    explicit Foreign_list(const Part& part) : part_(part) {}
+    explicit Foreign_list(const Part& part)
+        : first_own_(part.first_vertex[static_cast<std::size_t>(part.rank)]),
+          end_of_own_(part.first_vertex[static_cast<std::size_t>(part.rank) + 1]) {}
 
     template <std::size_t n>
     void add(const std::array<Number, n>& vertices) {
       for (const Number v : vertices)
-        if (!part_.is_own_vertex(v)) list_.push_back(v);
+        if (v < first_own_ || v >= end_of_own_) list_.push_back(v);
     }
     std::vector<Number> take() {
       std::sort(list_.begin(), list_.end());
@@ -80,7 +82,7 @@ private:
     }
 
   private:
-    const Part& part_;
+    Number first_own_, end_of_own_;
     std::vector<Number> list_;
   };
 
@@ -213,6 +215,10 @@ private:
   Exchange& exchange_;
   Part& part_;
 };
+
+/// Who makes the arrays of own triangles or vertices leaves room for so many more: most often that is enough for those
+/// of others, and nothing is copied.
+inline std::size_t room_for_others(std::size_t own) { return own / 64 + 1024; }
 
 /// See the head of this file. All parts call it.
 /// \pre The numbers of the whole mesh are set: all that is the same at all ranks.

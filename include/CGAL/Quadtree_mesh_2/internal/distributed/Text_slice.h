@@ -50,18 +50,10 @@ public:
 
   /// The lines that begin from the cut before slice `i` on, and before the one behind it.
   std::string slice(std::uint64_t i, std::uint64_t slices) {
-    const std::uint64_t first = nominal_cut(size_, i, slices), last = nominal_cut(size_, i + 1, slices);
-    if (first == last) return std::string();
-    // A line begins behind a line feed, so the one before the cut counts.
-    const std::uint64_t from = first == 0 ? 0 : first - 1;
-    std::string text = bytes(from, last - from);
-    if (first > 0) {
-      const std::size_t line_feed = text.find('\n');
-      if (line_feed == std::string::npos || line_feed + 1 == text.size()) return std::string();
-      text.erase(0, line_feed + 1);
-    }
-    if (text.back() != '\n') append_rest_of_line(text, last);
-    return first == 0 ? without_byte_order_mark(std::move(text), file_name_) : text;
+    const std::uint64_t begin = cut(i, slices), end = cut(i + 1, slices);
+    std::string text = bytes(begin, end - begin);
+    if (begin == 0 && end != 0) text = without_byte_order_mark(std::move(text), file_name_);
+    return text;
   }
 
 private:
@@ -75,14 +67,20 @@ private:
     return text;
   }
 
-  void append_rest_of_line(std::string& text, std::uint64_t begin) {
+  /// Where slice `i` begins: with the first line that does so behind its nominal cut, or at it.
+  std::uint64_t cut(std::uint64_t i, std::uint64_t slices) {
+    const std::uint64_t nominal = nominal_cut(size_, i, slices);
+    return nominal == 0 || nominal == size_ ? nominal : behind_line_feed(nominal - 1);
+  }
+
+  /// The place behind the first line feed from a place on, or the end of the file.
+  std::uint64_t behind_line_feed(std::uint64_t begin) {
     for (std::uint64_t n = 256; begin < size_; begin += n, n *= 2) {
       n = std::min(n, size_ - begin);
-      const std::string more = bytes(begin, n);
-      const std::size_t line_feed = more.find('\n');
-      text.append(more, 0, line_feed == std::string::npos ? line_feed : line_feed + 1);
-      if (line_feed != std::string::npos) return;
+      const std::size_t line_feed = bytes(begin, n).find('\n');
+      if (line_feed != std::string::npos) return begin + line_feed + 1;
     }
+    return size_;
   }
 
   const std::string& file_name_;
@@ -134,7 +132,8 @@ std::string read_text_slice(Exchange& exchange, const std::string& file_name) {
     else if (is_first)
       text = read_whole_file(file_name);
   });
-  return is_whole ? scattered(exchange, text) : text;
+  if (is_whole) text = scattered(exchange, text);
+  return text;
 }
 
 } // namespace internal

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A graph put together at one part from the slices of all. Linear time; that part needs memory for the whole graph and
-// one slice.
+// A graph put together at one part from the slices of all. Linear time; that part needs memory for the whole graph, and
+// for the markers and attributes of one slice.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_GATHER_SLICES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_GATHER_SLICES_H
@@ -18,6 +18,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,36 +34,62 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The bytes of a slice, but for its place among all.
+/// The bytes of a slice, but for vertices and segments.
 template <class Point>
-Bytes bytes_of_slice(const Pslg_slice_2<Point>& slice) {
+Bytes bytes_of_rest(const Pslg_slice_2<Point>& slice) {
   std::vector<Point> places;
   std::vector<std::array<double, 2>> values;
   for (const auto& r : slice.regions) places.push_back(r.point), values.push_back({r.attribute, r.max_area});
   Archive_writer archive;
-  archive.points(slice.vertices), archive.points(slice.holes), archive.points(places);
+  archive.points(slice.holes), archive.points(places);
   archive(values), archive(slice.vertex_attributes), archive(slice.vertex_markers);
-  archive(slice.segments), archive(slice.segment_markers);
+  archive(slice.segment_markers);
   return std::move(archive.bytes);
 }
 
-/// Appends a slice to a graph. \pre ends of segments are numbers of vertices
+/// Appends that to a graph.
 template <class Point>
-void append_slice(const Bytes& bytes, Pslg_2<Point>& graph) {
-  std::vector<Point> vertices, holes, places;
+void append_rest(const Bytes& bytes, Pslg_2<Point>& graph) {
+  std::vector<Point> holes, places;
   std::vector<std::array<double, 2>> values;
   std::vector<double> attributes;
   std::vector<int> vertex_markers, segment_markers;
-  std::vector<std::array<std::int64_t, 2>> segments;
   Archive_reader archive(bytes);
-  archive.points(vertices), archive.points(holes), archive.points(places);
-  archive(values), archive(attributes), archive(vertex_markers), archive(segments), archive(segment_markers);
+  archive.points(holes), archive.points(places);
+  archive(values), archive(attributes), archive(vertex_markers), archive(segment_markers);
   const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  append(graph.vertices, vertices), append(graph.holes, holes), append(graph.vertex_attributes, attributes);
+  append(graph.holes, holes), append(graph.vertex_attributes, attributes);
   append(graph.vertex_markers, vertex_markers), append(graph.segment_markers, segment_markers);
-  for (const auto& [a, b] : segments) graph.add_segment(Vertex_index(a), Vertex_index(b));
   for (std::size_t i = 0; i < places.size(); ++i)
     graph.regions.push_back({places[i], values[i][0], values[i][1]});
+}
+
+/// Brings the records of all parts to the first one, some at a time.
+/// \param own how many this part has
+/// \param record gives one of them
+/// \param write called at the first part with the place of each among all
+template <class Record, class Exchange, class Get, class Write>
+void gather_records(Exchange& exchange, std::size_t own, const Get& record, const Write& write) {
+  constexpr std::size_t at_a_time = std::size_t(1) << 12; // parcels for which the heap has room
+  const Numbers numbers = exchange.gather(static_cast<std::int64_t>(own));
+  std::vector<std::size_t> first{0};
+  for (const std::int64_t n : numbers) first.push_back(first.back() + static_cast<std::size_t>(n));
+  const auto most = static_cast<std::size_t>(*std::max_element(numbers.begin(), numbers.end()));
+  const bool is_first = exchange.rank() == 0;
+  for (std::size_t i = 0; is_first && i < own; ++i) write(i, record(i));
+  if (exchange.size() == 1) return;
+  for (std::size_t begin = 0; begin < most; begin += at_a_time) {
+    Parcels outbox;
+    if (!is_first && begin < own) {
+      std::vector<Record> records;
+      for (std::size_t i = begin; i < std::min(own, begin + at_a_time); ++i) records.push_back(record(i));
+      outbox.push_back({0, bytes_of(records)});
+    }
+    for (const Parcel& parcel : exchange.exchange(std::move(outbox))) {
+      std::size_t place = first[static_cast<std::size_t>(parcel.part)] + begin;
+      for (const Record& r : records_of<Record>(parcel.bytes)) write(place++, r);
+    }
+  }
 }
 
 /// Throws, at all parts, the error of the first segment of all that ends where no vertex is.
@@ -103,14 +130,33 @@ Pslg_2<Point> gather_slices(Exchange& exchange, const Pslg_slice_2<Point>& slice
     graph.number_of_vertex_attributes = slice.number_of_vertex_attributes;
     graph.first_number = slice.first_number;
   }
+  agree_on_work(exchange, [&] {
+    if (!is_first) return;
+    graph.vertices.resize(static_cast<std::size_t>(sizes[0]));
+    graph.segments.resize(static_cast<std::size_t>(sizes[1]));
+  });
+  using Place = Sent_coordinates<Point>;
+  using Ends = std::array<std::uint32_t, 2>; // which are numbers of vertices, as has been checked
+  gather_records<Place>(
+      exchange, slice.vertices.size(), [&](std::size_t i) { return coordinates_to_send(slice.vertices[i]); },
+      [&](std::size_t i, const Place& p) { graph.vertices[i] = Point(p[0], p[1]); });
+  gather_records<Ends>(
+      exchange, slice.segments.size(),
+      [&](std::size_t i) {
+        const auto& [a, b] = slice.segments[i];
+        return Ends{{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)}};
+      },
+      [&](std::size_t i, const Ends& ends) {
+        graph.segments[i] = {Vertex_index(ends[0]), Vertex_index(ends[1])};
+      });
   for (int sender = 0; sender < exchange.size(); ++sender) {
     Parcels outbox;
     agree_on_work(exchange, [&] {
-      if (exchange.rank() == sender) outbox.push_back({0, bytes_of_slice(slice)});
+      if (exchange.rank() == sender) outbox.push_back({0, bytes_of_rest(slice)});
     });
     const Parcels inbox = exchange.exchange(std::move(outbox));
     agree_on_work(exchange, [&] {
-      if (is_first) append_slice(inbox.front().bytes, graph);
+      if (is_first) append_rest(inbox.front().bytes, graph);
     });
   }
   return graph;

@@ -48,6 +48,9 @@ public:
   Line_scanner(std::string_view text, std::string name, std::size_t lines_before = 0)
       : name_(std::move(name)), text_(text), line_number_(lines_before) {}
 
+  /// So many more lines of the file come before the text.
+  void add_lines_before(std::size_t lines) { line_number_ += lines; }
+
   /// Goes to the next line that holds something, if there is one.
   bool try_next_line() {
     while (next_line_ != text_.size()) {

@@ -42,6 +42,8 @@ public:
   /// The graph; without vertices and segments while it is stowed.
   const Pslg& graph() const { return own_ ? *own_ : *of_other_; }
   bool is_stowed() const { return number_of_segments_.has_value(); }
+  /// How many segments there are, stowed or not.
+  std::size_t number_of_segments() const { return number_of_segments_.value_or(graph().segments.size()); }
   /// The segments, stowed or not.
   std::vector<Segment> segments() const { return is_stowed() ? stowed_segments() : graph().segments; }
 

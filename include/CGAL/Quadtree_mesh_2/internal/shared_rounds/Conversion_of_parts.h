@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -263,9 +264,12 @@ private:
   /// \param ends become the kernel's vertices at their ends, two for each
   std::vector<typename Mesh::Outside_segment> outside_segments(const std::vector<char>& bits,
                                                                std::vector<Vertex_id>& ends) const {
+    std::vector<typename Mesh::Outside_segment> outside;
+    std::size_t with_edges = 0;
+    for (const char byte : bits) with_edges += std::bitset<8>(static_cast<unsigned char>(byte)).count();
+    if (with_edges == input_.graph.number_of_segments()) return outside;
     const std::vector<int>& markers = input().segment_markers;
     const auto segments = input_.graph.segments();
-    std::vector<typename Mesh::Outside_segment> outside;
     for (std::size_t s = 0; s < segments.size(); ++s) {
       if (s / 8 < bits.size() && (bits[s / 8] >> s % 8 & 1) != 0) continue;
       const std::int64_t marker = markers.empty() ? 0 : markers[s];

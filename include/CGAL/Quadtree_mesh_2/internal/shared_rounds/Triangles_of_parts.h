@@ -21,6 +21,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Part_completer.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -78,13 +79,10 @@ public:
   /// \param segment_markers of the graph; empty if segments have none
   std::vector<Offered_marker> find_edges(const std::vector<int>& segment_markers) {
     std::vector<Offered_marker> offered;
-    for_each_own([&](Triangle_id t) {
-      for (int k = 0; k < 3; ++k) {
-        const Side o = mesh_.triangle(t).side[k];
-        const bool is_noted_here = o.is_border() || !(o.triangle() < t);
-        if (o.is_constrained() && is_noted_here) add_edge(Side(t, k), segment_markers, offered);
-      }
-    });
+    std::size_t number = 0;
+    for_each_edge([&](Side) { ++number; });
+    edges_.reserve(number);
+    for_each_edge([&](Side s) { add_edge(s, segment_markers, offered); });
     return offered;
   }
 
@@ -110,9 +108,9 @@ public:
   /// Gives each part the triangles that it owns, which are no more in the kernel's form then.
   /// \pre the numbers of all parts are known to `part`
   void ship(Mesh& part) {
-    const std::size_t own = part.number_of_own_triangles();
-    resize_with_pages(part.triangles, own), resize_with_pages(part.neighbors, own);
-    if (part.has_regions) resize_with_pages(part.region_of_triangle, own);
+    const std::size_t own = part.number_of_own_triangles(), more = room_for_others(own);
+    resize_with_pages(part.triangles, own, more), resize_with_pages(part.neighbors, own);
+    if (part.has_regions) resize_with_pages(part.region_of_triangle, own, more);
     Handle_owners(exchange_.size())
         .for_each_run(mesh_.triangles.size(), [&](std::size_t begin, std::size_t end) {
           Records_of_parts<Row> outbox;
@@ -192,6 +190,18 @@ private:
   void for_each_own(const Function& f) const {
     for (const Triangle_id t : mesh_.triangles.ids())
       if (held_.speaks_for(t)) f(t);
+  }
+
+  /// Each once, of all parts, but for chords.
+  template <class Function>
+  void for_each_edge(const Function& f) const {
+    for_each_own([&](Triangle_id t) {
+      for (int k = 0; k < 3; ++k) {
+        const Side o = mesh_.triangle(t).side[k];
+        const bool is_noted_here = o.is_border() || !(o.triangle() < t);
+        if (o.is_constrained() && is_noted_here) f(Side(t, k));
+      }
+    });
   }
 
   std::array<std::uint32_t, 3> numbers_of_vertices(Triangle_id t) const {

@@ -23,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Part_completer.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Place_numbers.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -145,9 +146,9 @@ public:
   /// Gives each part the vertices that it owns.
   /// \pre their numbers and those of all parts are known to `part`
   void ship(Mesh& part) {
-    const std::size_t own = part.number_of_own_vertices();
-    resize_with_pages(part.points, own), resize_with_pages(part.vertex_markers, own);
-    resize_with_pages(part.input_index, own), resize_with_pages(part.segment_of_vertex, own);
+    const std::size_t own = part.number_of_own_vertices(), more = room_for_others(own);
+    resize_with_pages(part.points, own, more), resize_with_pages(part.vertex_markers, own, more);
+    resize_with_pages(part.input_index, own, more), resize_with_pages(part.segment_of_vertex, own, more);
     owners_.for_each_run(rows_.size() * static_cast<std::size_t>(exchange_.size()),
                          [&](std::size_t begin, std::size_t end) {
                            Records_of_parts<Row> outbox;
