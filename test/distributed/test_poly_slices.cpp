@@ -133,6 +133,22 @@ TEST_CASE("slices of .poly files: all that a file may have", "[distributed]") {
   check_same(folder.write("damaged.poly", std::string("\x1f\x8b") + text));
 }
 
+TEST_CASE("slices of .poly files: the first line with an error is told, though others are read before it",
+          "[distributed]") {
+  const Scratch_folder folder;
+  const std::string text = with_everything;
+  const std::string wrong_header = replaced(text, "\n4 1\n", "\nfour 1\n"),
+                    wrong_vertex = replaced(text, "3 4 4 5 6 9", "3 4 four 5 6 9"),
+                    wrong_segment = replaced(text, "3 3 4 7", "3 3 4 seven");
+  check_same(folder.write("header.poly", wrong_header));
+  check_same(folder.write("vertex.poly", replaced(wrong_header, "3 4 4 5 6 9", "3 4 four 5 6 9")));
+  check_same(folder.write("segment.poly", wrong_segment));
+  check_same(folder.write("both.poly", replaced(wrong_vertex, "3 3 4 7", "3 3 4 seven")));
+  check_same(folder.write("too_many.poly", replaced(text, "\n4 1\n", "\n40 1\n")));
+  check_same(folder.write("too_few.poly", replaced(text, "5 2 2 1", "4 2 2 1")));
+  check_same(folder.write("huge.poly", replaced(text, "5 2 2 1", "5 2 4000000000 1")));
+}
+
 TEST_CASE("slices of .poly files with the vertices in a .node file", "[distributed]") {
   const Scratch_folder folder;
   const std::string poly = "0 2 0 0\n2 0\n0 0 1\n1 1 2\n0\n";

@@ -216,8 +216,8 @@ private:
   Part& part_;
 };
 
-/// Who makes the arrays of own triangles or vertices leaves room for so many more: most often that is enough for those
-/// of others, and nothing is copied.
+/// How many ghosts or foreign vertices arrays should have room for behind so many own ones. Most often that is enough,
+/// and nothing is copied when they are added.
 inline std::size_t room_for_others(std::size_t own) { return own / 64 + 1024; }
 
 /// See the head of this file. All parts call it.

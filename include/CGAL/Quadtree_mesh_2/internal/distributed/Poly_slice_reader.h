@@ -8,7 +8,7 @@
 //
 // Computes: at each part the vertices, segments, holes and regions whose lines are in its slice of the text. What is
 //           wrong with the file is the same error as one part would tell, with the same line.
-// Bound:    O(k) time for k characters of a part; about fifteen sums over all parts.
+// Bound:    O(k) time for k characters of a part; some twenty sums over all parts.
 // Method:   Lines with something in them are records, and are numbered by a scan. The header of a section tells how
 //           many records it has, so it tells who has the next header. That of the segments is read ahead, so that
 //           nobody waits for the vertices of others. Parts agree on errors section by section; in each, the first part
@@ -76,15 +76,21 @@ public:
 
   /// Calls `read(i)` for those of the next `n` records that are here, counted from the first one of them. It moves the
   /// scanner to the record. If there are too few, the last part finds out.
-  /// \throws at all parts what `read` throws for the first record
-  template <class Read>
-  void for_each(std::int64_t n, const Read& read) {
+  /// \param prepare called first
+  /// \throws at all parts what `read` throws for the first record, or what `prepare` throws
+  template <class Read, class Prepare>
+  void for_each(std::int64_t n, const Read& read, const Prepare& prepare) {
     const std::int64_t end = end_of(n);
     agree_on_work(exchange_, [&] {
+      prepare();
       for (std::int64_t i = begin_here(); i < end_here(n); ++i) read(static_cast<std::size_t>(i - next_));
       if (end - next_ < n && is_last()) read(static_cast<std::size_t>(end - next_));
     });
     next_ = end;
+  }
+  template <class Read>
+  void for_each(std::int64_t n, const Read& read) {
+    for_each(n, read, [] {});
   }
 
   /// Reads one record, where it is, which tells numbers to all parts.
@@ -96,7 +102,7 @@ public:
     return numbers;
   }
 
-  /// Reads one record before its turn, that behind the next `n`: `read(scanner, numbers)`.
+  /// Reads the record that follows on the next `n` ones, before its turn: `read(scanner, numbers)`.
   /// \returns nothing, at all parts, if it cannot be read. In its turn it will be known why.
   template <class Read>
   std::optional<Numbers> read_ahead(std::int64_t n, std::size_t number_of_numbers, const Read& read) const {
@@ -134,7 +140,7 @@ private:
   Exchange& exchange_;
   std::string text_;
   Line_scanner scanner_{std::string_view(), std::string()};
-  std::vector<Line_scanner> marks_;     // before some of this part's records
+  std::vector<Line_scanner> marks_;     // before every 4096th of this part's records
   std::int64_t first_ = 0, behind_ = 0; // the records of this part
   std::int64_t all_ = 0, next_ = 0;
 };
@@ -217,9 +223,9 @@ private:
   /// \pre the first vertex has been read
   void read_other_vertices(Record_slices<Exchange>& records, const Triangle_section& section) {
     Parser parser(records.scanner(), graph_, limit);
-    make_room_for_vertices(records, slice_.number_of_vertices - 1);
-    records.for_each(slice_.number_of_vertices - 1,
-                     [&](std::size_t i) { parser.read_vertex(i + 1, section); });
+    records.for_each(
+        slice_.number_of_vertices - 1, [&](std::size_t i) { parser.read_vertex(i + 1, section); },
+        [&] { make_room_for_vertices(records, slice_.number_of_vertices - 1); });
   }
 
   void read_vertices(Record_slices<Exchange>& records) {
@@ -249,8 +255,8 @@ private:
     records.for_each(slice_.number_of_segments, [&](std::size_t i) { read_segment(parser, i, section); });
   }
 
-  /// Each part reads its vertices and then its segments, whatever others have. If the header between them is wrong, an
-  /// error of a vertex goes before that.
+  /// Each part reads its vertices and then its segments, whatever others have. If the header between them is wrong, it
+  /// is read in its turn instead, so that an error of a vertex is told first.
   /// \pre the first vertex has been read
   void read_vertices_and_segments(Record_slices<Exchange>& records, const Triangle_section& vertices) {
     const std::int64_t others = slice_.number_of_vertices - 1;
@@ -266,24 +272,28 @@ private:
     slice_.number_of_segments = static_cast<std::int64_t>(segments.n);
     Parser parser(records.scanner(), graph_, limit);
     parser.set_number_of_vertices(static_cast<std::size_t>(slice_.number_of_vertices));
-    make_room_for_vertices(records, others);
     const std::size_t first_segment = vertices.n; // behind the other vertices and the header
-    records.for_each(others + 1 + slice_.number_of_segments, [&](std::size_t i) {
+    const auto read = [&](std::size_t i) {
       if (i + 1 < first_segment)
         parser.read_vertex(i + 1, vertices);
       else if (i + 1 == first_segment)
         parser.read_segment_header();
       else
         read_segment(parser, i - first_segment, segments);
-    });
+    };
+    records.for_each(others + 1 + slice_.number_of_segments, read,
+                     [&] { make_room_for_vertices(records, slice_.number_of_vertices - 1); });
   }
 
-  /// For as many as are here of the next `n` records.
+  /// Makes room for those of the next `n` vertices that are here, and for their attributes, so far as the text may have
+  /// them.
   void make_room_for_vertices(Record_slices<Exchange>& records, std::int64_t n) {
-    const std::size_t more = records.number_here(n), attributes = graph_.number_of_vertex_attributes;
-    graph_.vertices.reserve(graph_.vertices.size() + more);
-    const std::size_t believable = std::min(records.scanner().remaining() / 2, more * attributes);
-    graph_.vertex_attributes.reserve(graph_.vertex_attributes.size() + believable);
+    constexpr std::size_t shortest_vertex = 6; // "1 0 0\n"
+    const std::size_t left = records.scanner().remaining();
+    const std::size_t vertices = std::min(records.number_here(n), left / shortest_vertex + 1);
+    graph_.vertices.reserve(graph_.vertices.size() + vertices);
+    const std::size_t attributes = std::min(left / 2, vertices * graph_.number_of_vertex_attributes);
+    graph_.vertex_attributes.reserve(graph_.vertex_attributes.size() + attributes);
   }
 
   void read_holes(Record_slices<Exchange>& records) {

@@ -50,9 +50,11 @@ public:
 
   /// The lines that begin from the cut before slice `i` on, and before the one behind it.
   std::string slice(std::uint64_t i, std::uint64_t slices) {
-    const std::uint64_t begin = cut(i, slices), end = cut(i + 1, slices);
-    std::string text = bytes(begin, end - begin);
-    if (begin == 0 && end != 0) text = without_byte_order_mark(std::move(text), file_name_);
+    const std::uint64_t last = nominal_cut(size_, i + 1, slices);
+    const std::uint64_t begin = first_line_from(nominal_cut(size_, i, slices), last);
+    if (begin >= last) return std::string(); // within a long line
+    std::string text = bytes(begin, first_line_from(last, size_) - begin);
+    if (begin == 0) text = without_byte_order_mark(std::move(text), file_name_);
     return text;
   }
 
@@ -67,20 +69,16 @@ private:
     return text;
   }
 
-  /// Where slice `i` begins: with the first line that does so behind its nominal cut, or at it.
-  std::uint64_t cut(std::uint64_t i, std::uint64_t slices) {
-    const std::uint64_t nominal = nominal_cut(size_, i, slices);
-    return nominal == 0 || nominal == size_ ? nominal : behind_line_feed(nominal - 1);
-  }
-
-  /// The place behind the first line feed from a place on, or the end of the file.
-  std::uint64_t behind_line_feed(std::uint64_t begin) {
-    for (std::uint64_t n = 256; begin < size_; begin += n, n *= 2) {
-      n = std::min(n, size_ - begin);
+  /// Where the first line begins that does not begin before a place; `end` if that is not before it.
+  std::uint64_t first_line_from(std::uint64_t place, std::uint64_t end) {
+    if (place == 0 || place == end) return place;
+    std::uint64_t begin = place - 1; // a line begins behind a line feed
+    for (std::uint64_t n = 256; begin < end; begin += n, n *= 2) {
+      n = std::min(n, end - begin);
       const std::size_t line_feed = bytes(begin, n).find('\n');
       if (line_feed != std::string::npos) return begin + line_feed + 1;
     }
-    return size_;
+    return end;
   }
 
   const std::string& file_name_;

@@ -4,8 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A graph put together at one part from the slices of all. Linear time; that part needs memory for the whole graph, and
-// for the markers and attributes of one slice.
+// A graph put together at one part from the slices of all.
+//
+// Bound:    linear time, and an exchange for each 4096 vertices, and segments, of the part with most. The first part
+//           needs memory for the whole graph, for the markers and attributes of one slice, and for 4096 records of each
+//           part.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_GATHER_SLICES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_GATHER_SLICES_H
@@ -47,7 +50,7 @@ Bytes bytes_of_rest(const Pslg_slice_2<Point>& slice) {
   return std::move(archive.bytes);
 }
 
-/// Appends that to a graph.
+/// Appends to a graph what `bytes_of_rest()` has of a slice.
 template <class Point>
 void append_rest(const Bytes& bytes, Pslg_2<Point>& graph) {
   std::vector<Point> holes, places;
@@ -70,7 +73,8 @@ void append_rest(const Bytes& bytes, Pslg_2<Point>& graph) {
 /// \param write called at the first part with the place of each among all
 template <class Record, class Exchange, class Get, class Write>
 void gather_records(Exchange& exchange, std::size_t own, const Get& record, const Write& write) {
-  constexpr std::size_t at_a_time = std::size_t(1) << 12; // parcels for which the heap has room
+  constexpr std::size_t at_a_time = std::size_t(1)
+                                    << 12; // so few that parcels use the same memory again and again
   const Numbers numbers = exchange.gather(static_cast<std::int64_t>(own));
   std::vector<std::size_t> first{0};
   for (const std::int64_t n : numbers) first.push_back(first.back() + static_cast<std::size_t>(n));

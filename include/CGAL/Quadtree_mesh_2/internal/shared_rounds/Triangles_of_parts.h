@@ -192,7 +192,7 @@ private:
       if (held_.speaks_for(t)) f(t);
   }
 
-  /// Each once, of all parts, but for chords.
+  /// Calls `f` for a side of each constrained edge and each chord, at one of all parts.
   template <class Function>
   void for_each_edge(const Function& f) const {
     for_each_own([&](Triangle_id t) {
