@@ -213,21 +213,23 @@ void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, 
 }
 
 void print_own_help() {
-  std::cout << R"(usage: mpirun -n P quality_mesh_mpi INPUT -o OUTPUT... [option]...
+  std::cout << R"(usage: mpirun -n P quality_mesh_mpi INPUT [-o OUTPUT]... [option]...
 
 Meshes a graph on P ranks, with one thread each or --threads: the mesh of quality_mesh
 --renumber, whatever the number of ranks and threads.
 INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf, or .xdmf with
-.h5. Options are those of quality_mesh --help-all for graphs, but for --hull, --repair,
+.h5. Without one, the program only tells what the mesh has.
+Options are those of quality_mesh --help-all for graphs. Refused are --hull, --repair,
 --resume, --report, --kernel, --compare, --pieces, --second-order, --msh-version,
---show-quadtree, and those of sizes by files and features and of projections, which are
-refused. --threads is of each rank, to which MPI has to give as many cores. --memory is
-what each rank may use; the scratch folder is made where there is none, and may be on a
-disk of each machine.
+--show-quadtree, those of sizes by files and features and of projections, and those of
+formats that ranks do not read or write. --threads is of each rank, to which MPI has to
+give as many cores. --memory is what each rank may use; the scratch folder is made where
+there is none, and may be on a disk of each machine.
   mpirun -n 4 quality_mesh_mpi coast.poly -o mesh.vtkhdf --max-area 100
   mpirun -q -n 4 quality_mesh_mpi coast.h5 -o mesh.pvtu --memory 2G --scratch /local
 
-Exit status: as quality_mesh.
+Exit status: as quality_mesh. Outputs are written one after the other, and those before one
+that cannot be written stay.
 )";
 }
 
@@ -235,7 +237,8 @@ Exit_status run(int argc, char** argv, int rank) {
   const Command_line line = parse_command_line(argc, argv);
   if (line.task != Command_line::Task::MESH) {
     if (rank == 0)
-      line.task == Command_line::Task::PRINT_VERSION ? print_version(std::cout) : print_own_help();
+      line.task == Command_line::Task::PRINT_VERSION ? print_version(std::cout, "quality_mesh_mpi")
+                                                     : print_own_help();
     return Exit_status::DONE;
   }
   check_use(line);

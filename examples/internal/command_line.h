@@ -335,8 +335,8 @@ inline po::variables_map parse(int argc, const char* const* argv) {
 
 } // namespace command_line_internal
 
-inline void print_version(std::ostream& out) {
-  out << "quality_mesh " << QUADTREE_MESH_VERSION << " (CGAL " << CGAL_VERSION_STR << ")\n";
+inline void print_version(std::ostream& out, const char* program = "quality_mesh") {
+  out << program << ' ' << QUADTREE_MESH_VERSION << " (CGAL " << CGAL_VERSION_STR << ")\n";
 }
 
 /// \throws Usage_error naming the option that is to blame.
@@ -348,7 +348,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   if (given.count("help") > 0) return line.task = Command_line::Task::PRINT_HELP, line;
   if (given.count("version") > 0) return line.task = Command_line::Task::PRINT_VERSION, line;
 
-  if (given.count("input") == 0) throw Usage_error("no input given");
+  if (given.count("input") == 0) throw Usage_error("no input given; see --help");
   const auto& inputs = given["input"].as<std::vector<std::string>>();
   if (inputs.size() > 1)
     throw Usage_error("one input at a time, not '" + inputs[0] + "' and '" + inputs[1] + "'");
