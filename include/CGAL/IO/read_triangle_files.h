@@ -70,11 +70,7 @@ public:
     if (same != nullptr && section.n > 0 && section.n != same->points.size() && section.n != same->least)
       scanner_.fail("there are " + std::to_string(section.n) + " vertices, but " +
                     std::to_string(same->points.size()) + " in " + same->file_name);
-    const std::size_t believable = (std::min)(section.n, scanner_.remaining() / shortest_vertex + 1);
-    pslg_.vertices.reserve(believable);
-    if (section.attributes > 0)
-      pslg_.vertex_attributes.reserve((std::min)(scanner_.remaining() / 2, believable * section.attributes));
-    if (section.has_markers) pslg_.vertex_markers.reserve(believable);
+    make_room_for_vertices(section.n, section);
     for (std::size_t i = 0; i < section.n; ++i) {
       read_vertex(i, section);
       if (same != nullptr && !are_equal(pslg_.vertices[i], same->points[i]))
@@ -95,6 +91,16 @@ public:
     scanner_.skip_more_columns({"a column behind the header"});
     pslg_.number_of_vertex_attributes = section.attributes;
     return section;
+  }
+
+  /// Makes room for so many more vertices, as far as the text that is left may have them.
+  void make_room_for_vertices(std::size_t n, const Triangle_section& section) {
+    const std::size_t believable = (std::min)(n, scanner_.remaining() / shortest_vertex + 1);
+    pslg_.vertices.reserve(pslg_.vertices.size() + believable);
+    if (section.attributes > 0)
+      pslg_.vertex_attributes.reserve(pslg_.vertex_attributes.size() +
+                                      (std::min)(scanner_.remaining() / 2, believable * section.attributes));
+    if (section.has_markers) pslg_.vertex_markers.reserve(pslg_.vertex_markers.size() + believable);
   }
 
   /// \param i which one of all, counted from 0; the first one tells from where the file counts

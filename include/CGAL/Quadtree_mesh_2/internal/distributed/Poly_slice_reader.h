@@ -225,7 +225,7 @@ private:
     Parser parser(records.scanner(), graph_, limit);
     records.for_each(
         slice_.number_of_vertices - 1, [&](std::size_t i) { parser.read_vertex(i + 1, section); },
-        [&] { make_room_for_vertices(records, slice_.number_of_vertices - 1); });
+        [&] { parser.make_room_for_vertices(records.number_here(slice_.number_of_vertices - 1), section); });
   }
 
   void read_vertices(Record_slices<Exchange>& records) {
@@ -282,18 +282,7 @@ private:
         read_segment(parser, i - first_segment, segments);
     };
     records.for_each(others + 1 + slice_.number_of_segments, read,
-                     [&] { make_room_for_vertices(records, slice_.number_of_vertices - 1); });
-  }
-
-  /// Makes room for those of the next `n` vertices that are here, and for their attributes, so far as the text may have
-  /// them.
-  void make_room_for_vertices(Record_slices<Exchange>& records, std::int64_t n) {
-    constexpr std::size_t shortest_vertex = 6; // "1 0 0\n"
-    const std::size_t left = records.scanner().remaining();
-    const std::size_t vertices = std::min(records.number_here(n), left / shortest_vertex + 1);
-    graph_.vertices.reserve(graph_.vertices.size() + vertices);
-    const std::size_t attributes = std::min(left / 2, vertices * graph_.number_of_vertex_attributes);
-    graph_.vertex_attributes.reserve(graph_.vertex_attributes.size() + attributes);
+                     [&] { parser.make_room_for_vertices(records.number_here(others), vertices); });
   }
 
   void read_holes(Record_slices<Exchange>& records) {

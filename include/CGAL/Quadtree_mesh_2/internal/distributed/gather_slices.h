@@ -73,8 +73,8 @@ void append_rest(const Bytes& bytes, Pslg_2<Point>& graph) {
 /// \param write called at the first part with the place of each among all
 template <class Record, class Exchange, class Get, class Write>
 void gather_records(Exchange& exchange, std::size_t own, const Get& record, const Write& write) {
-  constexpr std::size_t at_a_time = std::size_t(1)
-                                    << 12; // so few that parcels use the same memory again and again
+  // So few that parcels use the same memory again and again.
+  constexpr std::size_t at_a_time = std::size_t(1) << 12;
   const Numbers numbers = exchange.gather(static_cast<std::int64_t>(own));
   std::vector<std::size_t> first{0};
   for (const std::int64_t n : numbers) first.push_back(first.back() + static_cast<std::size_t>(n));
