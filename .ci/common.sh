@@ -44,11 +44,11 @@ install_packages() {
     apt-get -qq -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# Compilers of this code take about three gigabytes each, so the number of cores alone does not decide.
+# Compilers of this code take up to four gigabytes each, so the number of cores alone does not decide.
 build_jobs() {
   local cores gigabytes
   cores=$(nproc)
-  gigabytes=$(awk '/^MemAvailable/ { print int($2 / 3e6) }' /proc/meminfo)
+  gigabytes=$(awk '/^MemAvailable/ { print int($2 / 4e6) }' /proc/meminfo)
   ((gigabytes >= 1)) || gigabytes=1
   echo $((cores < gigabytes ? cores : gigabytes))
 }

@@ -28,6 +28,7 @@
 
 namespace test_feature_properties {
 
+using namespace program_test;
 using namespace test_meshes;
 
 namespace {

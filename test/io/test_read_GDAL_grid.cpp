@@ -28,6 +28,8 @@
 
 namespace test_read_GDAL_grid {
 
+using namespace program_test;
+
 namespace {
 
 constexpr double no_bound = std::numeric_limits<double>::infinity();

@@ -32,6 +32,7 @@
 
 namespace test_read_OGR {
 
+using namespace program_test;
 using namespace test_meshes;
 using gdal_files::Feature;
 using gdal_files::write_layers;

@@ -31,6 +31,8 @@
 
 namespace test_files_of_large_meshes {
 
+using namespace program_test;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -23,6 +23,8 @@
 
 namespace test_large_runs {
 
+using namespace program_test;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -18,6 +18,8 @@
 
 namespace test_quality_mesh_errors {
 
+using namespace program_test;
+
 namespace {
 
 namespace fs = std::filesystem;

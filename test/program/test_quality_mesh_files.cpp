@@ -28,6 +28,8 @@
 
 namespace test_quality_mesh_files {
 
+using namespace program_test;
+
 namespace {
 
 namespace fs = std::filesystem;

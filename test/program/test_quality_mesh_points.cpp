@@ -30,6 +30,8 @@
 
 namespace test_quality_mesh_points {
 
+using namespace program_test;
+
 namespace {
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;

@@ -24,6 +24,8 @@
 
 namespace test_quality_mesh_program {
 
+using namespace program_test;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -19,6 +19,8 @@
 
 namespace test_refined_meshes {
 
+using namespace program_test;
+
 namespace {
 
 using namespace adapt_test;

@@ -27,6 +27,7 @@
 
 namespace test_size_options {
 
+using namespace program_test;
 using namespace test_meshes;
 
 namespace {

@@ -20,6 +20,8 @@
 
 namespace test_standard_streams {
 
+using namespace program_test;
+
 namespace {
 
 std::string from(const std::string& file) { return " <'" + file + "' "; }

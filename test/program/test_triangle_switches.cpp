@@ -25,6 +25,8 @@
 
 namespace test_triangle_switches {
 
+using namespace program_test;
+
 namespace {
 
 namespace fs = std::filesystem;

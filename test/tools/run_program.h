@@ -14,6 +14,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace program_test {
+
 inline std::string test_data(const std::string& name) { return QUADTREE_MESH_TEST_DATA_DIR "/" + name; }
 
 struct Run {
@@ -35,5 +37,7 @@ inline Run run(const std::string& arguments) {
 inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
+
+} // namespace program_test
 
 #endif // QUADTREE_MESH_2_TEST_RUN_PROGRAM_H
