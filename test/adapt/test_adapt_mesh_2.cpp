@@ -125,7 +125,7 @@ TEST_CASE("Coarsening comes down to about a mesh made afresh, and angles hold", 
     const Mesh fresh = fresh_mesh(pslg, Options());
     double area_of_all = 0;
     for (std::size_t t = 0; t < fresh.triangles.size(); ++t) area_of_all += area(fresh, t);
-    const Mesh mesh = fresh_mesh(pslg, Options().max_area(area_of_all / 5000));
+    const Mesh mesh = fresh_mesh(pslg, Options().max_area(area_of_all / (is_full_run() ? 5000 : 1500)));
     const auto made = CGAL::adapt_mesh_2(mesh, pslg, Options());
     check_transfer(made, mesh);
     check_valid(made.mesh, pslg);

@@ -391,7 +391,7 @@ TEST_CASE("Triangles that meet anyhow without an overlap become a mesh of what t
 
 TEST_CASE("Triangles that nest in one corner, and many vertices on one side, take no quadratic time",
           "[adapt]") {
-  const int n = is_full_run() ? 200000 : 20000;
+  const int n = is_full_run() ? 200000 : 10000;
   const auto on_circle = [n](int i, double radius) {
     return Point(radius * std::cos(0.5 * i / n), radius * std::sin(0.5 * i / n));
   };

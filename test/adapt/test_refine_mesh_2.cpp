@@ -171,14 +171,16 @@ TEST_CASE("Refined meshes have the same bits for any number of threads", "[adapt
   const Mesh mesh = fresh_mesh(pslg, Options());
   std::vector<double> areas;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    areas.push_back(t % 2 == 0 ? area(mesh, t) / 300 : -1);
+    areas.push_back(t % 2 == 0 ? area(mesh, t) / (is_full_run() ? 300 : 80) : -1);
   const auto alone = CGAL::refine_mesh_2(mesh, pslg, areas, Options());
   for_numbers_of_threads([&] {
     const auto made = CGAL::refine_mesh_2<CGAL::Parallel_tag>(mesh, pslg, areas, Options());
     CHECK(have_same_bits(made.mesh, alone.mesh));
     CHECK(made.transfer.old_vertex == alone.transfer.old_vertex);
+    std::size_t different = 0;
     for (std::size_t v = 0; v < alone.transfer.places.size(); ++v)
-      CHECK(made.transfer.places[v].weights == alone.transfer.places[v].weights);
+      different += made.transfer.places[v].weights == alone.transfer.places[v].weights ? 0 : 1;
+    CHECK(different == 0);
   });
 }
 

@@ -347,9 +347,9 @@ TEST_CASE("A mesh in a file with huge degrees or many corners is refined again i
           "[adapt]") {
   const std::string name = GENERATE(as<std::string>(), "wheel", "fan", "saw");
   CAPTURE(name);
-  const Pslg pslg = name == "wheel" ? wheel(is_full_run() ? 200000 : 4000)
-                    : name == "saw" ? saw(is_full_run() ? 30000 : 2000)
-                                    : pslg_inputs::by_name(is_full_run() ? "fan:0.0018" : "fan:0.072").pslg;
+  const Pslg pslg = name == "wheel" ? wheel(is_full_run() ? 200000 : 2000)
+                    : name == "saw" ? saw(is_full_run() ? 30000 : 1000)
+                                    : pslg_inputs::by_name(is_full_run() ? "fan:0.0018" : "fan:0.15").pslg;
   const Read_mesh made = written_and_read(fresh_mesh(pslg, Options()), pslg);
   const auto again = CGAL::refine_mesh_2(made.mesh, made.pslg, Options());
   CHECK(again.report.is_met());

@@ -278,7 +278,7 @@ TEST_CASE("Real and synthetic graphs are meshed over a user's geometry, as well 
 
 TEST_CASE("The mesh over a user's geometry is the same for any number of threads", "[traits]") {
   const Graph graph = in_floats(mesher_test::read("us_states_10m.poly.gz"));
-  for (const Options& options : {Options(), Options().max_edge(width(graph) / 200)}) {
+  for (const Options& options : {Options(), Options().max_edge(width(graph) / (is_full_run() ? 200 : 120))}) {
     const Run one = run<CGAL::Sequential_tag>(graph, options), all = run<CGAL::Parallel_tag>(graph, options);
     CHECK(one.mesh.points == all.mesh.points);
     CHECK(one.mesh.triangles == all.mesh.triangles);
@@ -286,7 +286,7 @@ TEST_CASE("The mesh over a user's geometry is the same for any number of threads
 }
 
 TEST_CASE("Random graphs are meshed over a user's geometry, by refinement and by quadtrees", "[traits]") {
-  const std::uint64_t seeds = is_full_run() ? 200 : 5;
+  const std::uint64_t seeds = is_full_run() ? 200 : 2;
   std::size_t meshed = 0, all = 0, met = 0;
   for (const random_pslg::Family& family : random_pslg::families())
     for (std::uint64_t seed = 0; seed < seeds; ++seed)

@@ -127,12 +127,11 @@ void check_tree(const std::vector<typename Geometry::Point>& points, const Clust
     double width = 0;
     for (std::uint32_t i : {c.box.left, c.box.right, c.box.bottom, c.box.top})
       REQUIRE(std::binary_search(sets[k].begin(), sets[k].end(), i));
-    for (std::uint32_t i : sets[k]) {
-      REQUIRE_FALSE(points[i].x < points[c.box.left].x);
-      REQUIRE_FALSE(points[c.box.right].x < points[i].x);
-      REQUIRE_FALSE(points[i].y < points[c.box.bottom].y);
-      REQUIRE_FALSE(points[c.box.top].y < points[i].y);
-    }
+    std::size_t outside = 0;
+    for (std::uint32_t i : sets[k])
+      outside += points[i].x < points[c.box.left].x || points[c.box.right].x < points[i].x ||
+                 points[i].y < points[c.box.bottom].y || points[c.box.top].y < points[i].y;
+    REQUIRE(outside == 0);
     width = internal::width_of<Geometry>(points, c.box);
     REQUIRE(c.width == width);
   }

@@ -104,9 +104,10 @@ void check_window(const Grid_frame<Geometry>& frame, const std::vector<typename 
 }
 
 /// The way there and back ends where it began, up to units of the grid and of the coordinates.
+/// \param extent their diameter
 template <class Geometry>
-void check_way_back(const Grid_frame<Geometry>& frame, const std::vector<typename Geometry::Point>& points) {
-  const double extent = diameter<Geometry>(points);
+void check_way_back(const Grid_frame<Geometry>& frame, const std::vector<typename Geometry::Point>& points,
+                    double extent) {
   if (extent == 0) return;
   double scale = 0; // grid units to a unit of length
   for (const auto& p : points) {
@@ -221,6 +222,7 @@ TEMPLATE_TEST_CASE("Frames hold the points in the middle of their windows", "[gr
     CAPTURE(input.name);
     const auto points = kernel_points<TestType>(input);
     const auto small = points.size() > 200 ? std::vector(points.begin(), points.begin() + 100) : points;
+    const double extent = diameter<Geometry>(small);
     const Frame straight = Frame::template axis_parallel<Sequential_tag>(points);
     check_window(straight, points, Window_shape::ROOT);
     CHECK(
@@ -229,7 +231,7 @@ TEMPLATE_TEST_CASE("Frames hold the points in the middle of their windows", "[gr
       for (const Window_shape shape : {Window_shape::ROOT, Window_shape::ROW}) {
         const Frame frame = Frame::template rotated<Sequential_tag>(points, z, shape);
         check_window(frame, points, shape);
-        check_way_back(Frame::template rotated<Sequential_tag>(small, z, shape), small);
+        check_way_back(Frame::template rotated<Sequential_tag>(small, z, shape), small, extent);
         CHECK(are_same(frame, Frame::template rotated<Parallel_tag>(points, z, shape), points));
       }
     const Frame row = Frame::template along_diameter<Sequential_tag>(points);

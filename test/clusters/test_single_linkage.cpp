@@ -8,6 +8,7 @@
 // pairs of points.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "quadtree_rounds.h"
 #include "random_numbers.h"
 
@@ -327,7 +328,7 @@ TEST_CASE("Trees of clusters are the same for any number of threads", "[clusters
   for (const Points& points :
        {shuffled(planted(20000, 7), 1), shuffled(lattice(150, 150), 2), shuffled(lattice(20000, 1), 2)}) {
     const auto expected = internal::find_clusters<Sequential_tag, Doubles>(points, 100);
-    for (const std::size_t threads : {1, 2, 4}) {
+    for (const std::size_t threads : numbers_of_threads()) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       const auto tree = internal::find_clusters<CGAL::Parallel_tag, Doubles>(points, 100);
       REQUIRE(tree.points == expected.points);

@@ -96,14 +96,14 @@ TEST_CASE("Through equal leaves all angles are at least 31.6 degrees", "[columns
 }
 
 TEST_CASE("At changes of sizes one vector of thresholds keeps 21.5 degrees", "[columns]") {
-  check(certify_transitions({one_rule}, 18.434948));
-  check(certify_transitions({one_rule}, 20.7));
+  if (is_full_run()) check(certify_transitions({one_rule}, 18.434948));
+  if (is_full_run()) check(certify_transitions({one_rule}, 20.7));
   check(certify_transitions({one_rule}, 21.5));
   CHECK_FALSE(certify_transitions({one_rule}, 21.7).is_proven);
 }
 
 TEST_CASE("At changes of sizes the better of two vectors keeps 26.3 degrees", "[columns]") {
-  check(certify_transitions({rule_b, rule_c}, 25));
+  if (is_full_run()) check(certify_transitions({rule_b, rule_c}, 25));
   check(certify_transitions({rule_b, rule_c}, 26.3));
   // Neither of them is good enough without the other.
   CHECK_FALSE(certify_transitions({rule_b}, 20.7).is_proven);

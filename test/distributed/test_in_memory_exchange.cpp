@@ -24,11 +24,12 @@ using namespace CGAL::Quadtree_mesh_2::internal;
 
 TEST_CASE("parts in one memory exchange parcels, numbers and errors", "[distributed][threads]") {
   const int parts = GENERATE(1, 2, 3, 7, 16, is_full_run() ? 64 : 30);
+  const int steps = is_full_run() ? 20 : 5;
   std::atomic<int> wrong{0};
   In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
-    wrong += exchange_checks::check_exchanges(exchange, 20);
+    wrong += exchange_checks::check_exchanges(exchange, steps);
     wrong += exchange_checks::check_numbers(exchange);
-    wrong += exchange_checks::check_records(exchange, 20);
+    wrong += exchange_checks::check_records(exchange, steps);
     wrong += exchange_checks::check_errors(exchange);
     wrong += exchange_checks::check_exchanges(exchange, 5);
   });

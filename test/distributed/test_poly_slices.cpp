@@ -175,7 +175,7 @@ TEST_CASE("slices of .poly files that are cut off or broken", "[distributed]") {
     for (const int parts : {2, 5}) CHECK(compare(name, expected, parts) == 0);
   }
   int errors = 0;
-  const int seeds = is_full_run() ? 300 : 100;
+  const int seeds = is_full_run() ? 300 : 50;
   for (int seed = 0; seed < seeds; ++seed) {
     const std::string name = folder.write("mutated.poly", Text_mutator(unsigned(seed))(text));
     const Outcome expected = read_at_once(name);

@@ -68,7 +68,7 @@ void refine_blocks(Meshing_state<Geometry>& state, const Look& look) {
 
 TEST_CASE("Rounds of tiny blocks end with nothing that waits", "[refiner]") {
   const auto& families = random_pslg::all_families();
-  const std::uint64_t seeds = is_full_run() ? 5000 / families.size() + 1 : 40;
+  const std::uint64_t seeds = is_full_run() ? 5000 / families.size() + 1 : 20;
   std::size_t cut = 0;
   for (const auto& family : families)
     for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed) {

@@ -70,7 +70,7 @@ TEST_CASE("A line on which a star meets the bound is never given up, and most ot
   const double sin2 = std::pow(std::sin(degrees / 180 * CGAL_PI), 2);
   random_pslg::Random random(std::uint64_t(7));
   int possible = 0, impossible = 0, given_up = 0;
-  for (int i = 0; i < (is_full_run() ? 400 : 120); ++i) {
+  for (int i = 0; i < (is_full_run() ? 400 : 60); ++i) {
     const std::vector<Vector> link = random_link(random, is_closed);
     const double angle = is_closed ? random.between(0, 2 * CGAL_PI) : 0;
     const Vector direction{std::cos(angle), std::sin(angle)};

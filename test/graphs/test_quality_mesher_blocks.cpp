@@ -9,6 +9,7 @@
 
 #include "catch.h"
 #include "mesher_test_tools.h"
+#include "numbers_of_threads.h"
 #include "random_pslg_shapes.h"
 #include "tiny_blocks.h"
 
@@ -124,7 +125,7 @@ Point inside_triangle(const Mesh& mesh, std::size_t t) {
 /// Checks that meshes have the same bits with any number of threads.
 void check_threads(const Pslg& pslg, const Options& options) {
   const Mesh sequential = Mesher_of<CGAL::Sequential_tag>(options)(pslg);
-  for (std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(options.min_angle(), threads);
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

@@ -128,7 +128,7 @@ TEST_CASE("Features of 2^-40 of the extent are meshed to the bound", "[mesher][s
 }
 
 TEST_CASE("Isolated features of any size that coordinates tell are meshed to the bound", "[mesher][small]") {
-  const int runs = is_full_run() ? 10000 : 100;
+  const int runs = is_full_run() ? 10000 : 50;
   for (int seed = 0; seed < runs; ++seed) {
     INFO("seed " << seed);
     Random random(static_cast<std::uint64_t>(seed));

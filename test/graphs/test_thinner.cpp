@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "mesher_test_tools.h"
+#include "numbers_of_threads.h"
 #include "random_pslg_shapes.h"
 
 #include <CGAL/Quality_mesher_2.h>
@@ -188,7 +189,7 @@ TEST_CASE("A map is thinned to the same bits with any number of threads", "[mesh
   const Pslg states = read("us_states_10m.poly.gz");
   const Options options = Options().thin(2);
   const Mesh sequential = Mesher(options)(states);
-  for (const std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(threads);
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

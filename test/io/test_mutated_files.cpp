@@ -174,7 +174,7 @@ void check_places(const Format& format, const std::string& text, const Pslg& gra
 } // namespace
 
 TEST_CASE("a mutated file gives the places that it has, or an error with its line", "[mutated]") {
-  const int rounds = is_full_run() ? 40000 : 2000;
+  const int rounds = is_full_run() ? 40000 : 1000;
   for (const Format& format : formats()) {
     std::size_t read = 0, refused = 0;
     for (int i = 0; i < rounds; ++i) {

@@ -8,6 +8,7 @@
 // sector.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "pslg_test_tools.h"
 #include "random_pslg.h"
 #include "vertex_edge_brute_force.h"
@@ -216,7 +217,7 @@ TEST_CASE("nothing depends on threads or on options", "[neighbors]") {
   check(1, 4);
   check(0, 1);
 #ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t threads : {1, 2, 4}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const Quadtree_vertex_edge_neighbors_2<Filtered_traits, CGAL::Parallel_tag> parallel(pslg);
     REQUIRE(answers(parallel) == expected);

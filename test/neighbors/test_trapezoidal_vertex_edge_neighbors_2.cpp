@@ -8,6 +8,7 @@
 // those by the quadtree.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "pslg_test_tools.h"
 #include "random_pslg.h"
 #include "random_pslg_shapes.h"
@@ -186,7 +187,7 @@ TEST_CASE("trapezoids: overlapping segments hide none that pass", "[trapezoids]"
   const Neighbors neighbors(pslg);
   for (const Direction d : axis_directions) check_hit(neighbors.first_hit(Vertex_index(1), d), 2, 0);
   check_graph_with_all_traits(pslg, 100);
-  for (std::uint64_t seed = 1; seed <= (is_full_run() ? 300 : 30); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (is_full_run() ? 300 : 12); ++seed) {
     CAPTURE(seed);
     check_graph<Filtered_traits>(overlapping_segments(seed), 100);
   }
@@ -244,17 +245,18 @@ TEST_CASE("trapezoids: slabs meet without a seam, whatever the threads", "[trape
   // Long lines of vertices are cut by slabs, too.
   random_pslg::Random random(11);
   random_pslg::Pslg pslg;
-  for (int i = 0; i < 4000; ++i)
+  constexpr std::size_t n = 2500; // of several slabs
+  for (std::size_t i = 0; i < n; ++i)
     pslg.add_vertex(
         {static_cast<double>(random.integer(0, 4)), static_cast<double>(random.integer(0, 3000))});
-  for (std::size_t i = 0; i + 1 < 4000; i += 20) pslg.add_segment(Vertex_index(i), Vertex_index(i + 1));
+  for (std::size_t i = 0; i + 1 < n; i += 20) pslg.add_segment(Vertex_index(i), Vertex_index(i + 1));
   check_graph<Filtered_traits>(pslg, is_full_run() ? 300 : 10);
 
   const auto map = read_map("us_states_10m.poly.gz");
   check_graph<Filtered_traits>(map, is_full_run() ? 300 : 3);
 #ifdef CGAL_LINKED_WITH_TBB
   const std::vector<double> expected = answers(Neighbors(map));
-  for (const std::size_t threads : {1, 2, 4}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     REQUIRE(answers(Trapezoidal_vertex_edge_neighbors_2<Filtered_traits, CGAL::Parallel_tag>(map)) ==
             expected);

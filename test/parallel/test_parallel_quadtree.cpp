@@ -8,6 +8,7 @@
 // whatever the depth.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "quadtree_checks.h"
 #include "quadtree_test_inputs.h"
 
@@ -126,7 +127,7 @@ TEMPLATE_TEST_CASE("Quadtrees are the same for any number of threads and both sc
       const auto scheduled = Quadtree_options(options).schedule(schedule);
       CHECK(digest(CGAL::Balanced_quadtree<TestType, Sequential_tag>(points, scheduled)) == expected);
 #ifdef CGAL_LINKED_WITH_TBB
-      for (std::size_t threads : {1u, 2u, 4u}) {
+      for (const std::size_t threads : numbers_of_threads()) {
         CAPTURE(threads);
         tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
         const CGAL::Balanced_quadtree<TestType, Parallel_tag> parallel(points, scheduled);

@@ -102,7 +102,7 @@ void run_all(std::size_t n) {
 } // namespace
 
 TEST_CASE("Points with words as coordinates are meshed as promised", "[point_set_mesher]") {
-  const std::size_t n = is_full_run() ? 100 : 6;
+  const std::size_t n = is_full_run() ? 100 : 4;
   SECTION("of 64 bits") { run_all<Words_64>(n); }
   SECTION("of 32 bits") { run_all<Words_32>(n); }
 }

@@ -110,7 +110,7 @@ TEST_CASE("The program refuses a state of another input, and begins anew if it i
 TEST_CASE("A state is of one input, whatever its scale, and of one file of sizes", "[program][scratch]") {
   const Scratch_folder folder;
   const auto coast = [&](const std::string& name, double scale) {
-    CGAL::Pslg_2<Point> pslg = pslg_inputs::by_name("coast:6e4").pslg;
+    CGAL::Pslg_2<Point> pslg = pslg_inputs::by_name(is_full_run() ? "coast:6e4" : "coast:3e4").pslg;
     for (Point& p : pslg.vertices) p = Point(scale * p.x(), scale * p.y());
     CGAL::IO::write_triangle_poly(folder.file(name), pslg);
     return quoted(folder.file(name));

@@ -112,8 +112,9 @@ TEST_CASE("clusters of points a few hundred ulps wide are meshed to the bound in
   const std::string kernel = GENERATE("filtered", "fixed", "exact");
   if (kernel == "exact" && !is_full_run()) return; // which takes as long as all else of this file
   const Scratch_folder folder;
+  const std::string effort = kernel == "filtered" || is_full_run() ? "" : " --effort 0";
   const Run r = run("--mode bounded " + test_data("points_clusters_1e-12.xy") + " --kernel " + kernel +
-                    " -o " + folder.file("out.ele"));
+                    effort + " -o " + folder.file("out.ele"));
   CAPTURE(kernel, r.out, r.err);
   CHECK((r.status == 0 || (r.status == 2 && contains(r.err, "point") && folder.number_of_files() == 0)));
 }
@@ -130,7 +131,7 @@ TEST_CASE("the program meshes points in every mode with every kernel", "[program
                Case{"acute", 0, 90, "square"}, Case{"warped", 22.47, 112.63, "square"});
   const std::string kernel = GENERATE("filtered", "fixed", "exact");
   const Scratch_folder folder;
-  const std::vector<Point> points = some_points(is_full_run() ? 60 : 25);
+  const std::vector<Point> points = some_points(is_full_run() ? 60 : 15);
   const std::string input = folder.write("in.xy", text_of(points, " "));
   const Run r = run("--mode " + c.mode + " " + input + " --kernel " + kernel + " -o " +
                     folder.file("out.ele") + " --report " + folder.file("r.json"));

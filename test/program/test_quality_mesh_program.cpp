@@ -38,7 +38,7 @@ TEST_CASE("the program writes each format by its ending", "[program]") {
                                        "h.2dm", "i.gr3", "j.14",  "k.html", "a.ele"};
   std::string outputs;
   for (const std::string& name : names) outputs += " -o " + folder.file(name);
-  const Run r = run(test_data("us_states_10m.poly.gz") + outputs);
+  const Run r = run(test_data(is_full_run() ? "us_states_10m.poly.gz" : "syn_holes_400.poly.gz") + outputs);
   CAPTURE(r.out, r.err);
   CHECK(r.status == 0);
   CHECK(r.err.empty());

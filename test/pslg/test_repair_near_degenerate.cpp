@@ -248,7 +248,7 @@ TEST_CASE("crossings that grew when rounded are split", "[repair]") {
 }
 
 TEST_CASE("segments units apart are repaired without crossings", "[repair]") {
-  const unsigned rounds = is_full_run() ? 1000 : 40;
+  const unsigned rounds = is_full_run() ? 1000 : 16;
   for (unsigned seed = 0; seed < rounds; ++seed) {
     CAPTURE(seed);
     Steps_apart random(seed);

@@ -54,7 +54,7 @@ def test_attributes_and_segments_of_triangles():
 
 
 def test_adapt_refines_and_coarsens():
-    finest = 0.02 if FULL else 0.06
+    finest = 0.02 if FULL else 0.1
     old = quadtree_mesh.mesh(**SQUARE, max_edge=2.5 * finest)
     new = quadtree_mesh.adapt(old, sizes=finest + 0.4 * old.vertices[:, 0])
     check_kept(new, old.vertices)

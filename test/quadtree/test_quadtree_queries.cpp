@@ -79,15 +79,15 @@ Quality check_near_neighbors(const Quadtree& tree) {
   REQUIRE(near.size() == framework.number_of_points());
   for (std::size_t r = 0; r < near.size(); ++r) {
     Near_neighbor_search<Quadtree> search(tree, Point_rank(r));
-    REQUIRE(search.find() == near[r]);
+    if (search.find() != near[r]) FAIL("point " << r << " has another near neighbor by itself");
     worst.squares = std::max(worst.squares, search.number_of_squares());
-    REQUIRE(near[r].is_valid() == (near.size() > 1));
+    if (near[r].is_valid() != (near.size() > 1)) FAIL("point " << r << " has a near neighbor or none");
     if (!near[r].is_valid()) continue;
-    REQUIRE(near[r] != Point_rank(r));
-    REQUIRE(std::size_t(near[r]) < near.size());
+    if (near[r] == Point_rank(r) || std::size_t(near[r]) >= near.size())
+      FAIL("point " << r << " has no other one for its near neighbor");
     const Integer found = squared_distance(framework, r, std::size_t(near[r]));
     const Integer nearest = squared_distance_of_nearest(framework, r);
-    REQUIRE(is_within_squared_factor(found, nearest));
+    if (!is_within_squared_factor(found, nearest)) FAIL("the near neighbor of point " << r << " is too far");
     worst.factor =
         std::max(worst.factor, std::sqrt(found.convert_to<double>() / nearest.convert_to<double>()));
   }
@@ -125,7 +125,7 @@ TEMPLATE_TEST_CASE("Near neighbors are within the factor", "[queries]", Filtered
     for (std::size_t max_points : {1u, 3u})
       for (const Input& input : all_inputs())
         check(input, Quadtree_options().schedule(schedule).max_points_per_leaf(max_points));
-    for (unsigned seed = 0; seed < (is_full_run() ? 20000u : 1000u); ++seed) {
+    for (unsigned seed = 0; seed < (is_full_run() ? 20000u : 400u); ++seed) {
       check(small_random(seed), Quadtree_options().schedule(schedule));
       check(small_lattice(seed), Quadtree_options().schedule(schedule));
     }
@@ -208,8 +208,10 @@ TEMPLATE_TEST_CASE("Points are located by the framework of points and corners", 
     const auto by_framework = locate_by_framework<CGAL::Sequential_tag>(tree);
     const auto& framework = tree.framework();
     REQUIRE(by_framework.size() == framework.number_of_points());
+    std::size_t wrong = 0;
     for (std::size_t r = 0; r < by_framework.size(); ++r)
-      REQUIRE(by_framework[r] == tree.leaf(Point_rank(r)));
+      wrong += by_framework[r] == tree.leaf(Point_rank(r)) ? 0 : 1;
+    REQUIRE(wrong == 0);
     REQUIRE(locate_by_framework<CGAL::Parallel_tag>(tree) == by_framework);
   };
   using Tree = CGAL::Balanced_quadtree<TestType>;

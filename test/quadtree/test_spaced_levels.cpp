@@ -124,7 +124,8 @@ std::vector<Input> inputs() {
   std::vector<Input> all = all_inputs();
   all.push_back(isolated_pairs());
   all.push_back(nested_clusters());
-  all.push_back(uniform(20000, 6)); // framework squares and lists of more than a block
+  all.push_back(
+      uniform(is_full_run() ? 20000 : 10000, 6)); // framework squares and lists of more than a block
   for (unsigned seed = 0; seed < (is_full_run() ? 2000 : 100); ++seed) all.push_back(small_random(seed));
   return all;
 }
@@ -209,7 +210,7 @@ TEMPLATE_TEST_CASE("Spaced levels give the smallest quadtree, bit for bit", "[sp
         const auto options = Quadtree_options().balance(balance).max_points_per_leaf(max_points);
         CGAL::Quadtree_framework<TestType> framework(make_points<TestType>(input));
         // Of the largest one each balance once, with annotations or without.
-        const bool is_checked_once = framework.number_of_points() > 10000 && !is_full_run();
+        const bool is_checked_once = framework.number_of_points() > 5000 && !is_full_run();
         if (!is_checked_once || balance != Balance::SIDES) check_schedules(framework, options);
         if (is_checked_once && balance != Balance::SIDES) continue;
         framework.annotate(random_levels(framework.number_of_points(), framework.grid().depth()));
@@ -240,12 +241,12 @@ TEST_CASE("Rounds by spaced levels grow with log n and not with the depth", "[sp
     if (schedule == Balance_schedule::LEVEL_BY_LEVEL) CHECK(static_cast<int>(steps) > 5 * depth);
     return steps;
   };
-  for (const std::size_t n : {300u, 1000u, 5000u, 20000u})
+  for (const std::size_t n :
+       is_full_run() ? std::vector{300u, 1000u, 5000u, 20000u} : std::vector{300u, 1000u, 5000u})
     for (Balance balance : balances) {
       CAPTURE(n, int(balance));
       std::vector<std::size_t> by_depth;
       for (const int depth : {50, 400, 3000}) {
-        if (n > 5000 && depth > 400 && !is_full_run()) continue;
         const Tree::Framework framework = deep_framework(n, depth);
         by_depth.push_back(rounds(framework, balance, Balance_schedule::SPACED_LEVELS));
         if (depth <= 400) rounds(framework, balance, Balance_schedule::LEVEL_BY_LEVEL);

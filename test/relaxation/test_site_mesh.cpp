@@ -7,6 +7,7 @@
 // Meshes of points from tiles to the end: blocks, placing of sites, coarsening.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "site_mesh_tools.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
@@ -60,7 +61,7 @@ TEST_CASE("Several blocks of full size give the same bits with any number of thr
   check_covers_root(mesh.mesh, points);
   check_angles(mesh.mesh, best);
 #ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(threads);
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     CHECK(are_same(mesh, mesh_of<CGAL::Parallel_tag>(points, best, effort)));

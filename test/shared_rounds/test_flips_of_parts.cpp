@@ -107,7 +107,7 @@ TEST_CASE("Parts flip as one memory does, whoever holds what", "[parts][distribu
   Random random(7);
   for (const double share : {0.02, 0.1, 1.0}) {
     CAPTURE(share);
-    Mesh mesh = triangulation(points(places, 40, random));
+    Mesh mesh = triangulation(points(places, is_full_run() ? 40 : 25, random));
     const std::size_t n = mesh.triangles.size();
     for (std::size_t i = 0; i < n / 20; ++i)
       mesh.constrain(Side(Triangle_id(random() % n), static_cast<int>(random() % 3)));

@@ -132,7 +132,7 @@ std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, std:
   return faults + faults_of_model(whole, mesh, held, model, exchange.rank());
 }
 
-constexpr std::uint32_t number_in_row = 1000000;
+constexpr std::uint32_t number_in_row = 500000;
 
 /// Triangles in a row, of which the vertices are alike.
 Mesh row_of_triangles() {

@@ -85,17 +85,21 @@ TEST_CASE("All parts make the mesh of one memory with all options", "[parts][dis
   const bool is_large = is_full_run();
   const Pslg stars = named(is_large ? "stars:600" : "stars:120"),
              coast = named(is_large ? "coast:2000" : "coast:400");
+  const auto check = [&](const Pslg& pslg, const Options& options) {
+    check_numbers_of_parts<Tiny_blocks_tag>(is_large ? std::vector<int>{1, 2, 5} : std::vector<int>{3}, pslg,
+                                            options);
+  };
   check_all_numbers_of_parts<Tiny_blocks_tag>(coast, Options());
-  check_all_numbers_of_parts<Tiny_blocks_tag>(coast, sizes_in_halves(coast));
-  check_all_numbers_of_parts<Tiny_blocks_tag>(coast, Options().min_angle(33));
-  check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options());
-  check_all_numbers_of_parts<Tiny_blocks_tag>(stars, by_quadtrees());
-  check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().smooth(1).thin(1));
-  check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().keep_borders(Options::Keep_borders::ALL));
-  check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().conform(Options::Conforming::DELAUNAY));
-  check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().max_steiner_vertices(300));
+  check(coast, sizes_in_halves(coast));
+  check(coast, Options().min_angle(33));
+  check(stars, Options());
+  check(stars, by_quadtrees());
+  check(stars, Options().smooth(1).thin(1));
+  check(stars, Options().keep_borders(Options::Keep_borders::ALL));
+  check(stars, Options().conform(Options::Conforming::DELAUNAY));
+  check(stars, Options().max_steiner_vertices(300));
   const auto square = pslg_inputs::by_name(is_large ? "square:1e-3" : "square:4e-3");
-  check_all_numbers_of_parts<Tiny_blocks_tag>(square.pslg, Options().max_area(square.max_area));
+  check(square.pslg, Options().max_area(square.max_area));
 }
 
 TEST_CASE("All parts make the mesh of a graph with regions and holes", "[parts][distributed]") {
@@ -103,10 +107,11 @@ TEST_CASE("All parts make the mesh of a graph with regions and holes", "[parts][
   CGAL::IO::read_triangle_poly(QUADTREE_MESH_TEST_DATA_DIR "/us_states_10m.poly.gz", states);
   const std::vector<int> numbers = is_full_run() ? std::vector<int>{1, 2, 5} : std::vector<int>{3};
   check_numbers_of_parts<Small_blocks_tag>(numbers, states, Options());
-  check_numbers_of_parts<Small_blocks_tag>(numbers, states, by_quadtrees());
+  if (is_full_run()) check_numbers_of_parts<Small_blocks_tag>(numbers, states, by_quadtrees());
   const Input all = with_all(); // with fewer triangles than two blocks have
   check_all_numbers_of_parts<Small_blocks_tag>(all.pslg, Options());
   check_all_numbers_of_parts<Tiny_blocks_tag>(all.pslg, Options());
+  check_numbers_of_parts<Tiny_blocks_tag>(numbers, all.pslg, by_quadtrees());
 }
 
 TEST_CASE("All parts throw what one memory throws", "[parts][distributed]") {

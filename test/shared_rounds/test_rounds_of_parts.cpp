@@ -85,7 +85,7 @@ Pslg in_order_of_places(const Pslg& pslg) {
 
 TEST_CASE("Parts of random graphs in tiny blocks have the bits of one memory", "[parts][distributed]") {
   const auto& families = random_pslg::all_families();
-  const std::uint64_t seeds = is_full_run() ? 100 : 3;
+  const std::uint64_t seeds = is_full_run() ? 100 : 2;
   int cut = 0;
   for (const auto& family : families)
     for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed) {
@@ -103,7 +103,7 @@ TEST_CASE("Parts of graphs with acute corners and holes have the bits of one mem
     CAPTURE(name);
     CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name(name).pslg) == 4);
   }
-  CHECK(check_all_parts<Small_blocks_tag>(pslg_inputs::by_name("coast:4000").pslg) == 4);
+  CHECK(check_all_parts<Small_blocks_tag>(pslg_inputs::by_name("coast:3000").pslg) == 4);
   if (!is_full_run()) return;
   const Pslg states = mesher_test::read("us_states_10m.poly.gz");
   CHECK(check_all_parts<Tiny_blocks_tag>(states) == 4);

@@ -132,18 +132,18 @@ Pslg named(const char* name) { return pslg_inputs::by_name(name).pslg; }
 } // namespace
 
 TEST_CASE("Parts finish a mesh without having all of it", "[parts][distributed]") {
-  const Pslg coast = named("coast:2000");
+  const bool is_large = is_full_run();
+  const Pslg coast = named(is_large ? "coast:2000" : "coast:1000");
   check<Tiny_blocks_tag>({2, 7}, coast, Options());
   check<Tiny_blocks_tag>({4}, coast, Options().min_angle(28));
   check<Tiny_blocks_tag>({3}, coast, sizes_in_halves(coast), Finisher::ANYBODY);
   check<Tiny_blocks_tag>({2}, named("holes:600"), Options());
-  check<Tiny_blocks_tag>({5}, named("segments:400"), Options());
-  check<Small_blocks_tag>({3}, named(is_full_run() ? "stars:8000" : "stars:1200"), Options(),
-                          Finisher::ANYBODY);
+  check<Tiny_blocks_tag>({5}, named(is_large ? "segments:400" : "segments:200"), Options());
+  check<Small_blocks_tag>({3}, named(is_large ? "stars:8000" : "stars:800"), Options(), Finisher::ANYBODY);
 }
 
 TEST_CASE("Parts unlock sectors next to triangles that were in no block", "[parts][distributed]") {
-  for (std::uint64_t seed = 1; seed <= (is_full_run() ? 20 : 2); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (is_full_run() ? 20 : 1); ++seed) {
     CAPTURE(seed);
     check<Small_blocks_tag>({2, 4}, needles(12, seed), Options().max_edge(0.1), Finisher::ANYBODY);
   }
@@ -171,7 +171,9 @@ TEST_CASE("Parts make many copies of random graphs as one memory does", "[parts]
   for (const auto& family : random_pslg::all_families())
     for (std::uint64_t seed = 1; seed <= (is_full_run() ? 8 : 1); ++seed) {
       CAPTURE(family.name, seed);
-      const Pslg one = family.make(seed), pslg = copies(one, one.vertices.size() < 40 ? 6 : 3);
+      const Pslg one = family.make(seed), pslg = copies(one, one.vertices.size() < 40 ? 6
+                                                             : is_full_run()          ? 3
+                                                                                      : 2);
       std::optional<Result> expected;
       try {
         expected = in_one_memory<Tiny_blocks_tag>(pslg, Options());

@@ -27,10 +27,11 @@ using namespace first_meshes;
 enum class Wanted { MADE, ANYTHING };
 
 template <class Tag = Tiny_blocks_tag>
-void check(const Pslg& pslg, Rule domain = Rule::ENCLOSED, Wanted wanted = Wanted::MADE) {
+void check(const Pslg& pslg, Rule domain = Rule::ENCLOSED, Wanted wanted = Wanted::MADE,
+           const std::vector<int>& numbers = {1, 2, 3, 5, 8}) {
   const Sorted_graph graph(pslg, domain);
   const Domain_mesh expected = in_one_memory(graph, Block_sizes<Tag>::vertices);
-  for (const int parts : {1, 2, 3, 5, 8}) {
+  for (const int parts : numbers) {
     CAPTURE(parts);
     const Domain_mesh made = by_parts<Tag>(graph, parts);
     if (wanted == Wanted::MADE) CHECK(made.is_made);
@@ -82,7 +83,7 @@ Pslg lattice(int side) {
 
 TEST_CASE("Parts triangulate the domains of random graphs", "[parts][distributed]") {
   for (const auto& family : random_pslg::all_families())
-    for (unsigned seed = 0; seed < 8; ++seed) {
+    for (unsigned seed = 0; seed < (is_full_run() ? 8 : 3); ++seed) {
       CAPTURE(family.name, seed);
       check(family.make(seed));
     }
@@ -98,20 +99,25 @@ TEST_CASE("Parts with several threads triangulate the domain of one thread",
 }
 
 TEST_CASE("Parts triangulate named graphs, with blocks of some hundred vertices", "[parts][distributed]") {
-  for (const char* name :
-       {"coast:2e4", "segments:3e3", "holes:1e3", "stars:3e3", "koch:3e3", "fan:1", "comb:1e3"}) {
+  std::vector<const char*> names{"coast:5e3", "segments:1e3", "holes:250", "stars:1e3",
+                                 "koch:768",  "fan:1",        "comb:300"};
+  if (is_full_run())
+    names = {"coast:2e4", "segments:3e3", "holes:1e3", "stars:3e3", "koch:3e3", "fan:1", "comb:1e3"};
+  for (const char* name : names) {
     CAPTURE(name);
     check<Small_blocks_tag>(named(name));
   }
   Pslg aegean;
   CGAL::IO::read_triangle_poly(QUADTREE_MESH_TEST_DATA_DIR "/gshhg_aegean_h.poly.gz", aegean);
-  check<Small_blocks_tag>(aegean);
+  check<Small_blocks_tag>(aegean, Rule::ENCLOSED, Wanted::MADE,
+                          is_full_run() ? std::vector<int>{1, 2, 3, 5, 8} : std::vector<int>{3});
 }
 
 TEST_CASE("Parts leave to one memory what would take them long", "[parts][distributed]") {
   for (const char* name : {"circle:1e4", "blob:2e4", "parabola:1e4", "line:1e4"}) {
     CAPTURE(name);
-    check<Small_blocks_tag>(named(name), Rule::ENCLOSED, Wanted::ANYTHING);
+    check<Small_blocks_tag>(named(name), Rule::ENCLOSED, Wanted::ANYTHING,
+                            is_full_run() ? std::vector<int>{1, 2, 3, 5, 8} : std::vector<int>{1, 3});
   }
 }
 

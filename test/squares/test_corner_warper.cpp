@@ -66,9 +66,11 @@ bool has_good_angles(const std::array<Place, 3>& t) {
 /// Triangles are counterclockwise, meet at whole sides, and fill the root.
 void check_conformity(const Warped_mesh& mesh) {
   struct Edge {
-    std::size_t a, b; // a < b
+    std::uint64_t a_and_b; // a < b
     int turn;
-    bool operator<(const Edge& e) const { return std::pair(a, b) < std::pair(e.a, e.b); }
+    std::size_t a() const { return static_cast<std::size_t>(a_and_b >> 32); }
+    std::size_t b() const { return static_cast<std::size_t>(a_and_b & 0xffffffff); }
+    bool operator<(const Edge& e) const { return a_and_b < e.a_and_b; }
   };
   std::vector<Edge> edges;
   Wide_integer doubled_area = 0;
@@ -81,8 +83,8 @@ void check_conformity(const Warped_mesh& mesh) {
     inverted += cross <= 0;
     doubled_area += cross;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t p = std::size_t(t[k]), q = std::size_t(t[(k + 1) % 3]);
-      edges.push_back(p < q ? Edge{p, q, 1} : Edge{q, p, -1});
+      const auto p = std::uint64_t(t[k]), q = std::uint64_t(t[(k + 1) % 3]);
+      edges.push_back(p < q ? Edge{p << 32 | q, 1} : Edge{q << 32 | p, -1});
     }
   }
   CHECK(inverted == 0);
@@ -92,7 +94,7 @@ void check_conformity(const Warped_mesh& mesh) {
   for (std::size_t i = 0, j; i < edges.size(); i = j) {
     int sum = edges[i].turn;
     for (j = i + 1; j < edges.size() && !(edges[i] < edges[j]); ++j) sum += edges[j].turn;
-    const auto &p = mesh.places.values()[edges[i].a], &q = mesh.places.values()[edges[i].b];
+    const auto &p = mesh.places.values()[edges[i].a()], &q = mesh.places.values()[edges[i].b()];
     const bool is_border =
         (p.x == q.x && (p.x == 0 || p.x == root)) || (p.y == q.y && (p.y == 0 || p.y == root));
     wrong += is_border ? j - i != 1 : j - i != 2 || sum != 0;

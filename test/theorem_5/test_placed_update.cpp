@@ -176,7 +176,7 @@ template <class Check>
 void check_graphs(const Check& check) {
   std::size_t parts = 0, rounds = 0;
   for (const auto& family : random_pslg::families())
-    for (std::uint64_t seed = 0; seed < (is_full_run() ? 20 : 4); ++seed) {
+    for (std::uint64_t seed = 0; seed < (is_full_run() ? 20 : 2); ++seed) {
       CAPTURE(family.name, seed);
       random_pslg::Random random(seed);
       Changed_mesh changed(family.make(seed));

@@ -284,7 +284,7 @@ Pslg read(const std::string& name) {
 
 TEST_CASE("What is in sight is as many sides of a leaf away as the options say, in whatever leaf",
           "[trees][separation]") {
-  const std::size_t most_vertices = is_full_run() ? 400 : 60;
+  const std::size_t most_vertices = is_full_run() ? 400 : 45;
   std::size_t leaves = 0;
   for (const Tree_options& options :
        {Tree_options::of_paper(), Tree_options::of_theorem().distances(0.7, 1).vertex_window(4)})

@@ -35,7 +35,7 @@ TEST_CASE("Steps grow as n log n + k", "[trees][separation][growth]") {
   for (const Tree_options& options : {Tree_options(), Tree_options::of_theorem()})
     for (const std::string family : {"coast", "segments", "holes"}) {
       std::vector<double> ratios, splits, leaves;
-      for (std::size_t n = 100; n <= (is_full_run() ? 102400u : 6400u); n *= 4) {
+      for (std::size_t n = is_full_run() ? 100 : 50; n <= (is_full_run() ? 102400u : 3200u); n *= 4) {
         const auto input = pslg_inputs::by_name(family + ':' + std::to_string(n));
         Prepared prepared(input.pslg);
         const auto trees = prepared.trees(options);

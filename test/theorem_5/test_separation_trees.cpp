@@ -7,6 +7,7 @@
 // The quadtrees that separate the features of a graph: what they promise, against all pairs of features.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "quadtree_test_inputs.h"
 #include "random_pslg_shapes.h"
 #include "separation_test_tools.h"
@@ -309,7 +310,7 @@ TEST_CASE("Trees are the same with any number of threads", "[trees][separation][
   const Tree_options options = Tree_options::of_theorem();
   Prepared graph(pslg);
   const auto leaves = leaves_of(graph.trees(options).tree());
-  for (const std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(threads);
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

@@ -7,6 +7,7 @@
 // Meshes whose features quadtrees separate: what holds for every mesh, and that quadtrees alone meet the bound.
 
 #include "catch.h"
+#include "numbers_of_threads.h"
 #include "theorem_5_tools.h"
 
 #include <CGAL/Quality_mesher_2.h>
@@ -190,7 +191,7 @@ TEST_CASE("A map is meshed by quadtrees to the same bits with any number of thre
           "[mesher][theorem5][parallel]") {
   const Pslg pslg = read("us_states_10m.poly.gz");
   const Mesh sequential = Mesher(by_quadtrees())(pslg);
-  for (const std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(threads);
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

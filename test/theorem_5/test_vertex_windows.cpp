@@ -7,6 +7,7 @@
 // Rounds of Theorem 5 are few, and no triangle is below the bound in a window of a vertex. Windows are rare with the
 // usual options, so most tests make them at the first failure.
 
+#include "numbers_of_threads.h"
 #include "separation_test_tools.h"
 #include "theorem_5_tools.h"
 
@@ -172,7 +173,7 @@ TEST_CASE("Windows are the same for any number of threads", "[mesher][theorem5][
     const Pslg pslg = family.make(1);
     const Run sequential = run(pslg, options);
     windows += sequential.report.trees.windows;
-    for (const std::size_t threads : {1u, 2u, 4u}) {
+    for (const std::size_t threads : numbers_of_threads()) {
       CAPTURE(family.name, threads);
 #ifdef CGAL_LINKED_WITH_TBB
       tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

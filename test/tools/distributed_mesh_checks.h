@@ -30,7 +30,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,8 +145,9 @@ inline CGAL::IO::Triangle_fields_2 fields_of(const Part& part) {
 }
 
 inline std::string bytes_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
 }
 /// What is different in two folders, whose files of the given ending should be the same.
 inline std::string difference(const std::filesystem::path& a, const std::filesystem::path& b,

@@ -16,12 +16,16 @@
 #endif
 
 #include <cstddef>
+#include <vector>
 
-/// Calls `f()` while 1, 2 and 4 threads may run.
+/// Numbers of threads to compare.
+inline std::vector<std::size_t> numbers_of_threads() { return {1, 2, 4}; }
+
+/// Calls `f()` while so many threads may run.
 template <class F>
 void for_numbers_of_threads(const F& f) {
 #ifdef CGAL_LINKED_WITH_TBB
-  for (std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(threads);
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     f();

@@ -19,10 +19,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <random>
-#include <set>
 #include <tuple>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace quadtree_test {
@@ -37,6 +37,14 @@ using CGAL::Quadtree_mesh_2::Point_rank;
 
 /// A square by level and corner, in units of its side; grids have at most 62 levels here.
 using Key = std::tuple<int, std::uint64_t, std::uint64_t>;
+
+struct Key_hash {
+  std::size_t operator()(const Key& k) const {
+    const auto& [level, x, y] = k;
+    const std::uint64_t mixed = (x * 0x9e3779b97f4a7c15 + y) * 0xc2b2ae3d27d4eb4f + std::uint64_t(level);
+    return static_cast<std::size_t>(mixed ^ mixed >> 32);
+  }
+};
 
 inline Key parent_of(const Key& k) { return {std::get<0>(k) - 1, std::get<1>(k) >> 1, std::get<2>(k) >> 1}; }
 
@@ -68,8 +76,8 @@ inline bool step(const Key& k, Direction d, Key& neighbor) {
 template <class Corner>
 Key key_of_corner(const Corner& c, int level, int depth) {
   const std::uint64_t x = static_cast<std::uint64_t>(c.x), y = static_cast<std::uint64_t>(c.y);
-  REQUIRE(x >> (depth - level) << (depth - level) == x);
-  REQUIRE(y >> (depth - level) << (depth - level) == y);
+  if ((x | y) >> (depth - level) << (depth - level) != (x | y))
+    FAIL("no corner of a square of level " << level);
   return {level, x >> (depth - level), y >> (depth - level)};
 }
 
@@ -139,7 +147,7 @@ private:
     }
   }
 
-  std::set<Key> split_;
+  std::unordered_set<Key, Key_hash> split_;
 };
 
 /// The quadtree in which no leaf has more than `max_points` points, balanced.
@@ -159,14 +167,16 @@ Key key(const Tree& tree, Index v) {
 }
 
 template <class Tree>
-std::map<Key, Node_index> nodes_by_square(const Tree& tree) {
-  std::map<Key, Node_index> nodes;
+std::unordered_map<Key, Node_index, Key_hash> nodes_by_square(const Tree& tree) {
+  std::unordered_map<Key, Node_index, Key_hash> nodes;
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
-    REQUIRE(nodes.emplace(key(tree, Node_index(i)), Node_index(i)).second);
+    nodes.emplace(key(tree, Node_index(i)), Node_index(i));
+  REQUIRE(nodes.size() == tree.number_of_nodes());
   return nodes;
 }
 
-/// The squares are those of the naive tree: balanced, with no more leaves than needed.
+/// The squares are those of the naive tree: balanced, with no more leaves than needed. Of many nodes the first one at
+/// fault is told.
 template <class Tree>
 void check_squares(const Tree& tree, const Naive_tree& expected) {
   REQUIRE(tree.number_of_leaves() == expected.number_of_leaves());
@@ -174,29 +184,33 @@ void check_squares(const Tree& tree, const Naive_tree& expected) {
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
     const Node_index v(i);
     depth = std::max(depth, tree.level(v));
-    REQUIRE(tree.is_leaf(v) != expected.is_split(key(tree, v)));
-    if (i > 0) REQUIRE(tree.level(Node_index(i - 1)) <= tree.level(v));
+    const Key square = key(tree, v);
+    if (tree.is_leaf(v) == expected.is_split(square))
+      FAIL("node " << i << " is a leaf or not as it should not be");
+    if (i > 0 && tree.level(Node_index(i - 1)) > tree.level(v)) FAIL("node " << i << " is before its level");
     if (tree.is_leaf(v)) {
-      REQUIRE(tree.node(tree.leaf(v)) == v);
-      REQUIRE(tree.leaves(v).size() == 1);
+      if (tree.node(tree.leaf(v)) != v || tree.leaves(v).size() != 1)
+        FAIL("node " << i << " is another leaf");
       continue;
     }
     std::size_t leaves = 0;
+    const std::vector<Key> children = children_of(square);
     for (int q = 0; q < 4; ++q) {
       const Node_index child = tree.child(v, q);
-      REQUIRE(key(tree, child) == children_of(key(tree, v))[std::size_t(q)]);
-      REQUIRE(tree.parent(child) == v);
-      REQUIRE(tree.leaves(child).begin.value() == tree.leaves(v).begin.value() + leaves);
+      if (key(tree, child) != children[std::size_t(q)] || tree.parent(child) != v ||
+          tree.leaves(child).begin.value() != tree.leaves(v).begin.value() + leaves)
+        FAIL("child " << q << " of node " << i << " is another one");
       leaves += tree.leaves(child).size();
     }
-    REQUIRE(tree.leaves(v).size() == leaves);
+    if (tree.leaves(v).size() != leaves) FAIL("node " << i << " has other leaves");
   }
   REQUIRE(tree.depth() == depth);
   REQUIRE_FALSE(tree.parent(tree.root()).is_valid());
   for (std::size_t i = 1; i < tree.number_of_leaves(); ++i) {
     const auto a = tree.square(Leaf_index(i - 1)), b = tree.square(Leaf_index(i));
     using Grid_point = typename Tree::Grid_point;
-    REQUIRE(CGAL::Quadtree_mesh_2::internal::less_shuffle(Grid_point{a.x, a.y}, Grid_point{b.x, b.y}));
+    if (!CGAL::Quadtree_mesh_2::internal::less_shuffle(Grid_point{a.x, a.y}, Grid_point{b.x, b.y}))
+      FAIL("leaf " << i << " is not in shuffle order");
   }
 }
 
@@ -208,8 +222,8 @@ void check_cross_pointers(const Tree& tree, const Naive_tree& expected) {
       Key neighbor;
       const bool is_inside = step(entry.first, d, neighbor);
       const Node_index n = tree.neighbor(entry.second, d);
-      REQUIRE(n.is_valid() == is_inside);
-      if (is_inside) REQUIRE(n == nodes.at(expected.leaf_around(neighbor)));
+      if (n.is_valid() != is_inside) FAIL("neighbors are outside");
+      if (is_inside && n != nodes.at(expected.leaf_around(neighbor))) FAIL("a neighbor is another one");
     }
 }
 
@@ -239,7 +253,7 @@ void check_neighbors(const Tree& tree) {
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     std::vector<char> is_neighbor(leaves.size(), 0);
     for (const Leaf_index l : tree.neighbors(Leaf_index(i))) {
-      REQUIRE(is_neighbor[l.value()] == 0);
+      if (is_neighbor[l.value()] != 0) FAIL("leaf " << i << " has a neighbor twice");
       is_neighbor[l.value()] = 1;
     }
     // Of millions of pairs the first one at fault is asserted.
@@ -255,8 +269,7 @@ void check_neighbors(const Tree& tree) {
       }
       ++j;
     }
-    CAPTURE(i);
-    REQUIRE(at_fault == leaves.size());
+    if (at_fault < leaves.size()) FAIL("leaves " << i << " and " << at_fault << " are neighbors or not");
   }
 }
 
@@ -268,11 +281,11 @@ void check_location(const Tree& tree, const Points& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Leaf_index l = tree.leaf(Point_index(i));
     const auto rank = framework.rank(Point_index(i));
-    REQUIRE(contains(key(tree, l), key_of_corner(framework.grid_point(rank), depth, depth)));
-    REQUIRE(tree.locate(points[i]) == l);
+    if (!contains(key(tree, l), key_of_corner(framework.grid_point(rank), depth, depth)) ||
+        tree.locate(points[i]) != l)
+      FAIL("point " << i << " is in another leaf");
     const auto inside = tree.points(l);
-    REQUIRE(!(rank < inside.begin));
-    REQUIRE(rank < inside.end);
+    if (rank < inside.begin || !(rank < inside.end)) FAIL("point " << i << " is not among those of its leaf");
   }
   std::size_t sum = 0;
   for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) sum += tree.points(Leaf_index(i)).size();
@@ -284,7 +297,7 @@ void check_location(const Tree& tree, const Points& points) {
     using Word = typename Tree::Word;
     const std::uint64_t x = random() >> (64 - depth), y = random() >> (64 - depth);
     const Leaf_index l = tree.locate(typename Tree::Grid_point{static_cast<Word>(x), static_cast<Word>(y)});
-    REQUIRE(contains(key(tree, l), Key{depth, x, y}));
+    if (!contains(key(tree, l), Key{depth, x, y})) FAIL("a place is located in another leaf");
   }
 }
 
@@ -297,7 +310,8 @@ void check_quadtree(const Tree& tree, const Naive_tree& expected, const Points& 
   if (tree.options().balance() != Balance::NONE) check_neighbors(tree);
   check_location(tree, points);
   for (std::size_t i = 0; i < tree.number_of_leaves(); ++i)
-    REQUIRE(tree.points(Leaf_index(i)).size() <= tree.options().max_points_per_leaf());
+    if (tree.points(Leaf_index(i)).size() > tree.options().max_points_per_leaf())
+      FAIL("leaf " << i << " has too many points");
 }
 
 /// Two quadtrees of the same points answer the same: numbers, levels, links, points and cross pointers.

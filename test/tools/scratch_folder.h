@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -48,8 +48,9 @@ private:
 
 /// All bytes of a file.
 inline std::string content(const std::string& file_name) {
-  std::ifstream in(file_name, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  std::ostringstream bytes;
+  bytes << std::ifstream(file_name, std::ios::binary).rdbuf();
+  return bytes.str();
 }
 
 #endif // QUADTREE_MESH_2_TEST_SCRATCH_FOLDER_H

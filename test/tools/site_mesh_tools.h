@@ -11,6 +11,7 @@
 
 #include "catch.h"
 #include "cluster_test_tools.h"
+#include "numbers_of_threads.h"
 #include "random_numbers.h"
 #include "ring_mesh_checks.h"
 
@@ -238,7 +239,7 @@ void check_in_any_order(const Site_mesh<Doubles>& mesh, const Make& make) {
   CHECK(are_same(mesh, make()));
   order_of_blocks = Order_of_blocks::PARALLEL;
 #ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t threads : {1u, 2u, 4u}) {
+  for (const std::size_t threads : numbers_of_threads()) {
     CAPTURE(threads);
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     CHECK(are_same(mesh, make()));

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -77,24 +78,31 @@ inline bool is_acute(const Tile_mesh& mesh) {
 /// Triangles are counterclockwise, cover the window once and fit together.
 inline void check_conformity(const Tile_mesh& mesh, const Tile_window& window) {
   Wide area = 0;
-  std::vector<std::array<std::int32_t, 2>> edges; // directed
+  std::vector<std::size_t> first(mesh.number_of_vertices() + 1, 0); // edges by the vertices where they begin
   for (const auto& t : mesh.triangles) {
     const Tile_place a = place(mesh, t[0]);
     const Wide doubled = cross(difference(a, place(mesh, t[1])), difference(a, place(mesh, t[2])));
     if (doubled <= 0) FAIL("a triangle is not counterclockwise");
     area += doubled;
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3]});
+    for (const std::int32_t v : t) ++first[static_cast<std::size_t>(v) + 1];
   }
   REQUIRE(area == 2 * Wide(window.right() - window.left()) * Wide(window.top() - window.bottom()));
-  std::sort(edges.begin(), edges.end());
-  REQUIRE(std::adjacent_find(edges.begin(), edges.end()) == edges.end());
-  for (const auto& e : edges) {
-    const bool is_twice =
-        std::binary_search(edges.begin(), edges.end(), std::array<std::int32_t, 2>{e[1], e[0]});
-    const bool is_on_side =
-        (mesh.sides[static_cast<std::size_t>(e[0])] & mesh.sides[static_cast<std::size_t>(e[1])]) != 0;
-    if (is_twice == is_on_side) FAIL("triangles do not fit together");
-  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::size_t> next = first;
+  std::vector<std::int32_t> ends(first.back());
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) ends[next[static_cast<std::size_t>(t[i])]++] = t[(i + 1) % 3];
+  const auto number_of_edges = [&](std::size_t a, std::size_t b) {
+    const std::int32_t* const all = ends.data();
+    return std::count(all + first[a], all + first[a + 1], static_cast<std::int32_t>(b));
+  };
+  for (std::size_t a = 0; a < mesh.number_of_vertices(); ++a)
+    for (std::size_t i = first[a]; i < first[a + 1]; ++i) {
+      const std::size_t b = static_cast<std::size_t>(ends[i]);
+      if (number_of_edges(a, b) != 1) FAIL("an edge has two triangles on one side");
+      const bool is_twice = number_of_edges(b, a) > 0, is_on_side = (mesh.sides[a] & mesh.sides[b]) != 0;
+      if (is_twice == is_on_side) FAIL("triangles do not fit together");
+    }
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const Tile_place p = mesh.places[v];
     const int sides = (p.x == window.left() ? left_side : 0) | (p.x == window.right() ? right_side : 0) |
@@ -109,12 +117,12 @@ inline void check_leaves(const Tile_mesh& mesh, const Tile_sites& sites) {
   REQUIRE(mesh.first_triangle[mesh.number_of_leaves()] == mesh.number_of_triangles());
   for (std::size_t k = 0; k < mesh.number_of_leaves(); ++k) {
     const Tile_square s = mesh.leaves[k];
-    REQUIRE(sites.window.contains(s.x, s.y));
-    if (k > 0)
-      REQUIRE(less_shuffle(Tile_place{mesh.leaves[k - 1].x, mesh.leaves[k - 1].y}, Tile_place{s.x, s.y}));
+    if (!sites.window.contains(s.x, s.y)) FAIL("a leaf is outside");
+    if (k > 0 && !less_shuffle(Tile_place{mesh.leaves[k - 1].x, mesh.leaves[k - 1].y}, Tile_place{s.x, s.y}))
+      FAIL("leaves are not in shuffle order");
     const Tile& t = tile(mesh.corner_bits[k]);
-    REQUIRE(mesh.first_vertex[k + 1] - mesh.first_vertex[k] ==
-            static_cast<std::uint32_t>(t.number_of_vertices));
+    if (mesh.first_vertex[k + 1] - mesh.first_vertex[k] != static_cast<std::uint32_t>(t.number_of_vertices))
+      FAIL("a leaf has not the vertices of its tile");
   }
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
     for (std::uint32_t i = mesh.first_instance[v]; i < mesh.first_instance[v + 1]; ++i) {
