@@ -13,7 +13,9 @@
 #include "internal/Scratch_folder.h"
 #include "internal/command_line.h"
 #include "internal/degrees.h"
+#include "internal/measurement.h"
 #include "internal/program_steps.h"
+#include "internal/report_json.h"
 #include "internal/report_words.h"
 #include "internal/thread_limit.h"
 #include "internal/what_to_do.h"
@@ -25,6 +27,7 @@
 #include <CGAL/Pslg_slice_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Scratch_memory.h>
@@ -32,6 +35,7 @@
 #include <CGAL/tags.h>
 
 #include <mpi.h>
+#include <nlohmann/json.hpp>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -53,6 +57,8 @@ namespace {
 
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 using Part = CGAL::Distributed_mesh_2<Traits::Point_2>;
+using CGAL::Quadtree_mesh_2::internal::agree_on_work;
+using CGAL::Quadtree_mesh_2::internal::Mpi_exchange;
 const MPI_Comm all_ranks = MPI_COMM_WORLD;
 
 /// \throws Usage_error naming what only quality_mesh does
@@ -62,7 +68,6 @@ void check_use(const Command_line& line) {
       {line.kernel != Command_line::Kernel::FILTERED, "--kernel"},
       {line.is_comparison_wanted, "--compare"},
       {line.is_resumed, "--resume"},
-      {!line.report_file.empty(), "--report"},
       {!line.area_file.empty(), "--area-file"},
       {!line.size_points_file.empty(), "--size-points"},
       {!line.size_grid_file.empty(), "--size-grid"},
@@ -95,8 +100,8 @@ public:
   /// All ranks make one. What keeps one of them from it, all throw.
   explicit Scratch_of_rank(const Command_line& line) {
     if (line.memory == 0) return;
-    CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
-    CGAL::Quadtree_mesh_2::internal::agree_on_work(exchange, [&] {
+    Mpi_exchange exchange(all_ranks);
+    agree_on_work(exchange, [&] {
       folder_.emplace(line);
       memory_.emplace(folder_->name(), line.memory);
     });
@@ -107,10 +112,12 @@ private:
   std::optional<CGAL::Scratch_memory> memory_;
 };
 
-/// What the first rank tells people beside the report.
+/// What the first rank tells beside the mesher's report.
 struct Seen {
   bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes far from the equator
+  std::size_t first_number = 0;   ///< from where the file counts
   double least_angle = 180, largest_angle = 0;
+  Seconds read, mesh, write; ///< of the first rank
 };
 
 /// All ranks call it.
@@ -120,7 +127,7 @@ bool may_be_in_degrees(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
     if (!degrees::is_in_range(p)) is_possible = 0;
     if (degrees::is_far_from_equator(p)) is_far = 1;
   }
-  CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
+  Mpi_exchange exchange(all_ranks);
   return exchange.min(is_possible) == 1 && exchange.max(is_far) == 1;
 }
 
@@ -144,7 +151,7 @@ void find_angles(const Part& part, Seen& seen) {
 
 /// All ranks call it.
 Advised_graph advised_graph(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
-  CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
+  Mpi_exchange exchange(all_ranks);
   const auto is_at_any = [&](bool here) { return exchange.max(here ? 1 : 0) == 1; };
   return {slice.number_of_vertices > 0, slice.number_of_segments > 0, is_at_any(!slice.holes.empty()),
           " of quality_mesh"};
@@ -157,16 +164,20 @@ Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report, Seen
   if (line.neighbors == Command_line::Neighbors::TRAPEZOIDAL)
     mesher.template find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, ConcurrencyTag>>();
   CGAL::Pslg_slice_2<Traits::Point_2> slice;
-  if (input_format(line.input) == Input_format::HDF5)
-    CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
-  else
-    CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
+  timed(seen.read, [&] {
+    if (input_format(line.input) == Input_format::HDF5)
+      CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
+    else
+      CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
+  });
+  seen.first_number = slice.first_number;
   const Advised_graph graph = advised_graph(slice);
   seen.may_be_in_degrees = !line.is_projection_said && may_be_in_degrees(slice);
   try {
-    Part part = mesher(std::move(slice));
+    Part part;
+    timed(seen.mesh, [&] { part = mesher(std::move(slice)); });
     report = mesher.report();
-    if (!line.is_quiet) find_angles(part, seen);
+    if (!line.is_quiet || !line.report_file.empty()) find_angles(part, seen);
     return part;
   } catch (const CGAL::Pslg_error_2& error) {
     throw std::runtime_error(error.what() + what_to_do(error, graph, line));
@@ -212,6 +223,49 @@ void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, 
   report_words::print_reasons(report, line.options);
 }
 
+/// \param peak_memory_mb of the rank that has had most
+nlohmann::ordered_json report_json(const Command_line& line, const CGAL::Quality_mesh_report_2& report,
+                                   const Part& part, const Seen& seen, double peak_memory_mb) {
+  nlohmann::ordered_json json = {
+      {"input_vertices", report.input_vertices},
+      {"input_segments", report.input_segments},
+      {"merged_vertices", report.merged_vertices},
+      {"vertices_on_segments", report.vertices_on_segments},
+      {"vertices", report.vertices},
+      {"triangles", report.triangles},
+      {"min_angle", seen.least_angle},
+      {"max_angle", seen.largest_angle},
+      {"exempt_triangles", report.exempt_triangles.size()},
+      {"unmet_triangles", report.unmet_triangles.size()},
+      {"encroached_edges", report.encroached_edges},
+      {"estimated_triangles", report.estimated_triangles},
+      {"least_angle_histogram", report.least_angle_histogram},
+      {"largest_angle_histogram", report.largest_angle_histogram},
+      {"rounds", report.rounds},
+      {"may_be_in_degrees", seen.may_be_in_degrees},
+      {"trees", trees_json(report.trees)},
+      {"ranks", part.number_of_ranks()},
+      {"threads", line.threads.value_or(1)},
+      {"seconds", seconds_json(seen.read.cpu, report.seconds, seen.mesh.cpu, seen.write.cpu)},
+      {"wall_seconds", seconds_json(seen.read.wall, report.wall_seconds, seen.mesh.wall, seen.write.wall)},
+      {"peak_memory_mb", peak_memory_mb}};
+  add_left(json, report, seen.first_number);
+  return json;
+}
+
+/// Writes the file of --report at the first rank. All ranks call it.
+void write_report(const Command_line& line, const CGAL::Quality_mesh_report_2& report, const Part& part,
+                  const Seen& seen) {
+  double most = peak_memory_mb();
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, all_ranks);
+  Mpi_exchange exchange(all_ranks);
+  agree_on_work(exchange, [&] {
+    if (exchange.rank() == 0)
+      CGAL::Quadtree_mesh_2::internal::replace_file(
+          line.report_file, report_json(line, report, part, seen, most).dump(2) + '\n');
+  });
+}
+
 void print_own_help() {
   std::cout << R"(usage: mpirun -n P quality_mesh_mpi INPUT [-o OUTPUT]... [option]...
 
@@ -220,11 +274,12 @@ Meshes a graph on P ranks, with one thread each or --threads: the mesh of qualit
 INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf, or .xdmf with
 .h5. Without one, the program only tells what the mesh has.
 Options are those of quality_mesh --help-all for graphs. Refused are --hull, --repair,
---resume, --report, --kernel, --compare, --pieces, --second-order, --msh-version,
---show-quadtree, those of sizes by files and features and of projections, and those of
-formats that ranks do not read or write. --threads is of each rank, to which MPI has to
-give as many cores. --memory is what each rank may use; the scratch folder is made where
-there is none, and may be on a disk of each machine.
+--resume, --kernel, --compare, --pieces, --second-order, --msh-version, --show-quadtree,
+those of sizes by files and features and of projections, and those of formats that ranks do
+not read or write. --threads is of each rank, to which MPI has to give as many cores.
+--memory is what each rank may use; the scratch folder is made where there is none, and may
+be on a disk of each machine. --report has seconds of the first rank, and memory of the one
+that used most.
   mpirun -n 4 quality_mesh_mpi coast.poly -o mesh.vtkhdf --max-area 100
   mpirun -q -n 4 quality_mesh_mpi coast.h5 -o mesh.pvtu --memory 2G --scratch /local
 
@@ -246,7 +301,10 @@ Exit_status run(int argc, char** argv, int rank) {
   CGAL::Quality_mesh_report_2 report;
   Seen seen;
   const Part part = mesh(line, report, seen);
-  for (const std::string& output : line.outputs) write(part, output);
+  timed(seen.write, [&] {
+    for (const std::string& output : line.outputs) write(part, output);
+  });
+  if (!line.report_file.empty()) write_report(line, report, part, seen);
   if (rank == 0 && !line.is_quiet) print(line, report, part, seen);
   return report.is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
 }

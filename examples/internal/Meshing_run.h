@@ -7,6 +7,7 @@
 #include "degrees.h"
 #include "mesh_figures.h"
 #include "projected_graph.h"
+#include "report_json.h"
 #include "report_words.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -206,47 +207,11 @@ inline nlohmann::ordered_json repair_json(const std::optional<CGAL::Pslg_repair_
           {"zero_length_segments", repair->zero_length_segments}};
 }
 
-/// What the quadtrees of Theorem 5 did; null if there was no such construction.
-inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& trees) {
-  if (trees.end == CGAL::Tree_separation_report_2::End::NONE) return nullptr;
-  return {{"end", report_words::name(trees.end)},
-          {"has_taken_over", trees.has_taken_over},
-          {"islands", trees.islands},
-          {"leaves_of_points", trees.leaves_of_points},
-          {"leaves_of_vertices", trees.leaves_of_vertices},
-          {"leaves_of_pieces", trees.leaves_of_pieces},
-          {"leaves_of_edges", trees.leaves_of_edges},
-          {"splits", trees.splits},
-          {"rounds", trees.rounds},
-          {"windows", trees.windows},
-          {"failed_windows", trees.failed_windows},
-          {"triangles", trees.triangles},
-          {"missed_by_rule", trees.missed_by_rule},
-          {"left_out", trees.left_out},
-          {"relocated", trees.relocated},
-          {"added", trees.added},
-          {"missed", trees.missed},
-          {"handed_over", trees.handed_over},
-          {"placed", trees.placed},
-          {"kept", trees.kept}};
-}
-
 /// \param kind of time, that of `phases`
 inline nlohmann::ordered_json seconds_json(const Meshing_run& run,
                                            const CGAL::Quality_mesh_report_2::Seconds& phases,
                                            double Seconds::*kind) {
-  const double read = run.read_seconds.*kind, mesh = run.ours.seconds.*kind, write = run.write_seconds.*kind;
-  return {{"read", read},
-          {"quadtree", phases.quadtree},
-          {"first_mesh", phases.first_mesh},
-          {"trees", phases.trees},
-          {"construct", phases.construct},
-          {"refine", phases.refine},
-          {"coarsen", phases.coarsen},
-          {"convert", phases.convert},
-          {"write", write},
-          {"mesh", mesh},
-          {"total", read + mesh + write}};
+  return seconds_json(run.read_seconds.*kind, phases, run.ours.seconds.*kind, run.write_seconds.*kind);
 }
 
 /// How a graph in degrees was meshed; null if it was meshed as it is.
@@ -298,16 +263,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                              {"y", unmet.centroid[1]},
                              {"least_angle", unmet.least_angle},
                              {"greatest_angle", unmet.greatest_angle}});
-  for (const auto& unmet : run.report.unmet_triangles) {
-    json["left"].push_back({{"triangle", run.pslg.first_number + std::size_t(unmet.triangle)},
-                            {"x", unmet.centroid[0]},
-                            {"y", unmet.centroid[1]},
-                            {"least_angle", unmet.least_angle},
-                            {"greatest_angle", unmet.greatest_angle},
-                            {"reason", report_words::name(unmet.reason)}});
-    if (unmet.segment.is_valid())
-      json["left"].back()["segment"] = run.pslg.first_number + std::size_t(unmet.segment);
-  }
+  add_left(json, run.report, run.pslg.first_number);
   if (run.is_peer_asked) {
     json["other_separation"] = run.other ? peer_json(*run.other) : nlohmann::ordered_json(nullptr);
     json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);

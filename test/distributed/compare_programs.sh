@@ -47,9 +47,9 @@ refuses mesh.svg graph.poly -o mesh.svg
 # What only quality_mesh does is not passed over.
 refuses --project graph.poly -o mesh.vtkhdf --project auto
 refuses --msh-version graph.poly -o mesh.msh --msh-version 2.2
-refuses --report graph.poly -o mesh.vtkhdf --report report.json
 refuses --size-from-features graph.poly -o mesh.vtkhdf --size-from-features 1 1
 refuses nowhere graph.poly -o nowhere/mesh.vtkhdf
+refuses nowhere graph.poly --report nowhere/report.json
 refuses graph.poly/scratch graph.poly -o mesh.vtkhdf --memory 64M --scratch graph.poly/scratch
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 9\n0\n' >broken.poly
 refuses broken.poly broken.poly -o mesh.vtkhdf
@@ -61,7 +61,7 @@ refuses "or use --repair of quality_mesh" crossing.poly -o mesh.vtkhdf
 
 # What misses a bound is told with its place and the reason, and so are the angles.
 status=0
-"${command[@]}" graph.poly --keep-borders all >told || status=$?
+"${command[@]}" graph.poly --keep-borders all --report report.json >told || status=$?
 [[ $status -eq 1 ]]
 grep -q '^unmet: the triangle at (' told
 grep -q '^unmet: reason for .*--keep-borders' told
@@ -71,5 +71,20 @@ for line in vertices triangles 'least angle ' 'largest angle'; do
   # shellcheck disable=SC2016 # awk expands it
   [[ $(grep -m 1 "^$line" told | awk '{ print $NF }') == $(grep -m 1 "^$line" expected | awk '{ print $NF }') ]]
 done
+# The report has what that of one machine has, but for what is of one machine alone, for times and for memory.
+"$program" graph.poly --keep-borders all --renumber --report expected.json >/dev/null || [[ $? -eq 1 ]]
+python3 - "$ranks" <<'EOF'
+import json, math, sys
+report, expected = (json.load(open(name + ".json")) for name in ("report", "expected"))
+assert report.pop("ranks") == int(sys.argv[1])
+for name in ("seconds", "wall_seconds"):
+    assert list(report.pop(name)) == list(expected.pop(name)), name
+assert report.pop("peak_memory_mb") > 0
+assert len(report["left"]) > 0
+for name in ("min_angle", "max_angle"):
+    assert math.isclose(report.pop(name), expected.pop(name), rel_tol=1e-12), name
+differences = {name for name in report if report[name] != expected[name] and name != "threads"}
+assert not differences, differences
+EOF
 printf '3 2 0 0\n1 10 60\n2 20 60\n3 10 68\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n' >degrees.poly
 "${command[@]}" degrees.poly | grep -q 'longitudes and latitudes'
