@@ -91,6 +91,9 @@ void check_use(const Command_line& line) {
     if (kind != Output_format::PVTU && kind != Output_format::MSH && kind != Output_format::VTKHDF &&
         kind != Output_format::XDMF)
       throw Usage_error("ranks write .pvtu, .msh, .vtkhdf, or .xdmf with .h5, not '" + output + "'");
+    if (kind == Output_format::MSH && !line.report_file.empty()) // always in parts here
+      check_pieces({{"the file of --report, '" + line.report_file + "',", line.report_file}},
+                   {{output, ".msh"}});
   }
 }
 
@@ -288,15 +291,25 @@ that cannot be written stay.
 )";
 }
 
+/// Ranks may see different files. What keeps one of them from its work, all throw.
+Command_line checked_command_line(int argc, char** argv) {
+  Command_line line;
+  Mpi_exchange exchange(all_ranks);
+  agree_on_work(exchange, [&] {
+    line = parse_command_line(argc, argv);
+    if (line.task == Command_line::Task::MESH) check_use(line);
+  });
+  return line;
+}
+
 Exit_status run(int argc, char** argv, int rank) {
-  const Command_line line = parse_command_line(argc, argv);
+  const Command_line line = checked_command_line(argc, argv);
   if (line.task != Command_line::Task::MESH) {
     if (rank == 0)
       line.task == Command_line::Task::PRINT_VERSION ? print_version(std::cout, "quality_mesh_mpi")
                                                      : print_own_help();
     return Exit_status::DONE;
   }
-  check_use(line);
   const Scratch_of_rank scratch(line);
   CGAL::Quality_mesh_report_2 report;
   Seen seen;

@@ -69,8 +69,8 @@ TEST_CASE("A mesh is refined, coarsened and read from triangles, end to end", "[
   using Tag = CGAL::Parallel_tag;
   const Pslg pslg = mesher_test::read("syn_holes_400.poly.gz");
   const auto mesh = CGAL::Quality_mesher_2<>()(pslg);
-  const auto fine =
-      CGAL::refine_mesh_2<Tag>(mesh, pslg, std::vector<double>(mesh.triangles.size(), 0.05), Options());
+  const std::vector<double> areas(mesh.triangles.size(), is_full_run() ? 0.02 : 0.05);
+  const auto fine = CGAL::refine_mesh_2<Tag>(mesh, pslg, areas, Options());
   CHECK(fine.report.is_met());
   const auto coarse = CGAL::adapt_mesh_2<Tag>(fine.mesh, pslg, Options());
   CHECK(coarse.report.is_met());

@@ -245,7 +245,7 @@ TEST_CASE("trapezoids: slabs meet without a seam, whatever the threads", "[trape
   // Long lines of vertices are cut by slabs, too.
   random_pslg::Random random(11);
   random_pslg::Pslg pslg;
-  constexpr std::size_t n = 2500; // of several slabs
+  const std::size_t n = is_full_run() ? 4000 : 2500; // of several slabs
   for (std::size_t i = 0; i < n; ++i)
     pslg.add_vertex(
         {static_cast<double>(random.integer(0, 4)), static_cast<double>(random.integer(0, 3000))});

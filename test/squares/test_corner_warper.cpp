@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <random>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace test_corner_warper {
@@ -83,7 +82,7 @@ void check_conformity(const Warped_mesh& mesh) {
     inverted += cross <= 0;
     doubled_area += cross;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto p = std::uint64_t(t[k]), q = std::uint64_t(t[(k + 1) % 3]);
+      const std::uint64_t p = t[k].value(), q = t[(k + 1) % 3].value();
       edges.push_back(p < q ? Edge{p << 32 | q, 1} : Edge{q << 32 | p, -1});
     }
   }
