@@ -103,7 +103,8 @@ TEST_CASE("Parts of graphs with acute corners and holes have the bits of one mem
     CAPTURE(name);
     CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name(name).pslg) == 4);
   }
-  CHECK(check_all_parts<Small_blocks_tag>(pslg_inputs::by_name(is_full_run() ? "coast:4000" : "coast:3000").pslg) == 4);
+  CHECK(check_all_parts<Small_blocks_tag>(
+            pslg_inputs::by_name(is_full_run() ? "coast:4000" : "coast:3000").pslg) == 4);
   if (!is_full_run()) return;
   const Pslg states = mesher_test::read("us_states_10m.poly.gz");
   CHECK(check_all_parts<Tiny_blocks_tag>(states) == 4);
