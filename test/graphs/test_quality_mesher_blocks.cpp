@@ -19,10 +19,6 @@
 #include <CGAL/centroid.h>
 #include <CGAL/mesh_quality_2.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -125,13 +121,10 @@ Point inside_triangle(const Mesh& mesh, std::size_t t) {
 /// Checks that meshes have the same bits with any number of threads.
 void check_threads(const Pslg& pslg, const Options& options) {
   const Mesh sequential = Mesher_of<CGAL::Sequential_tag>(options)(pslg);
-  for (const std::size_t threads : numbers_of_threads()) {
-    CAPTURE(options.min_angle(), threads);
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  for_numbers_of_threads([&] {
+    CAPTURE(options.min_angle());
     CHECK(are_same(Mesher_of<CGAL::Parallel_tag>(options)(pslg), sequential));
-  }
+  });
 }
 
 } // namespace

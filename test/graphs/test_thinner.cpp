@@ -14,10 +14,6 @@
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/bounding_box.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -189,14 +185,10 @@ TEST_CASE("A map is thinned to the same bits with any number of threads", "[mesh
   const Pslg states = read("us_states_10m.poly.gz");
   const Options options = Options().thin(2);
   const Mesh sequential = Mesher(options)(states);
-  for (const std::size_t threads : numbers_of_threads()) {
-    CAPTURE(threads);
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  for_numbers_of_threads([&] {
     using Parallel = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
     CHECK(are_same(Parallel(options)(states), sequential));
-  }
+  });
 }
 
 TEST_CASE("Cancelled thinning, or with a budget, leaves a valid mesh", "[mesher][thinning]") {

@@ -17,10 +17,6 @@
 #include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/bounding_box.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -310,14 +306,10 @@ TEST_CASE("Trees are the same with any number of threads", "[trees][separation][
   const Tree_options options = Tree_options::of_theorem();
   Prepared graph(pslg);
   const auto leaves = leaves_of(graph.trees(options).tree());
-  for (const std::size_t threads : numbers_of_threads()) {
-    CAPTURE(threads);
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  for_numbers_of_threads([&] {
     Prepared_graph<Filtered_traits, CGAL::Parallel_tag> parallel(pslg);
     CHECK(leaves_of(parallel.trees(options).tree()) == leaves);
-  }
+  });
 }
 
 // ---- gaps

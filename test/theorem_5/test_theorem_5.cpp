@@ -14,10 +14,6 @@
 #include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/bounding_box.h>
 #include <CGAL/mesh_quality_2.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -191,14 +187,10 @@ TEST_CASE("A map is meshed by quadtrees to the same bits with any number of thre
           "[mesher][theorem5][parallel]") {
   const Pslg pslg = read("us_states_10m.poly.gz");
   const Mesh sequential = Mesher(by_quadtrees())(pslg);
-  for (const std::size_t threads : numbers_of_threads()) {
-    CAPTURE(threads);
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+  for_numbers_of_threads([&] {
     using Parallel = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
     CHECK(are_same(Parallel(by_quadtrees())(pslg), sequential));
-  }
+  });
 }
 
 // ---- domains and sizes

@@ -13,10 +13,6 @@
 
 #include <CGAL/Quality_mesher_2.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -173,14 +169,11 @@ TEST_CASE("Windows are the same for any number of threads", "[mesher][theorem5][
     const Pslg pslg = family.make(1);
     const Run sequential = run(pslg, options);
     windows += sequential.report.trees.windows;
-    for (const std::size_t threads : numbers_of_threads()) {
-      CAPTURE(family.name, threads);
-#ifdef CGAL_LINKED_WITH_TBB
-      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-#endif
+    for_numbers_of_threads([&] {
+      CAPTURE(family.name);
       using Parallel = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
       CHECK(are_same(Parallel(options)(pslg), sequential.mesh));
-    }
+    });
   }
   CHECK(windows > 20);
 }
