@@ -155,10 +155,10 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
 /// Of a mesh whose input vertices may be anywhere.
 CGAL::Mesh_quality_2 quality(const mesh_graph::Mesh& mesh, const mesh_graph::Pslg& pslg,
                              const CGAL::Mesh_quality_options_2& wanted) {
-  if (mesh.input_index.empty()) return CGAL::mesh_quality_2(mesh, pslg, wanted);
+  if (mesh.input_index.empty()) return CGAL::mesh_quality_2<CGAL::Parallel_tag>(mesh, pslg, wanted);
   mesh_graph::Mesh by_input = mesh;
   CGAL::renumber_by_input(by_input);
-  return CGAL::mesh_quality_2(by_input, pslg, wanted);
+  return CGAL::mesh_quality_2<CGAL::Parallel_tag>(by_input, pslg, wanted);
 }
 
 /// Bounds are kept in the plane of projection; all else has to be right in degrees, too.
@@ -167,7 +167,7 @@ void check_in_degrees(Meshing_run& run, const CGAL::Quality_mesh_options_2& opti
     unmet.centroid = run.projected->projection.inverse(unmet.centroid[0], unmet.centroid[1]);
   const auto wanted =
       CGAL::Mesh_quality_options_2().min_angle(0).check_domain(rule_to_check(options.mesh_domain()));
-  const auto in_degrees = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
+  const auto in_degrees = CGAL::mesh_quality_2<CGAL::Parallel_tag>(run.mesh, run.pslg, wanted);
   run.quality.number_of_errors += in_degrees.number_of_errors;
   for (const std::string& error : in_degrees.errors) run.quality.errors.push_back("in degrees, " + error);
 }

@@ -80,7 +80,8 @@ void mesh(Point_set_run& run, const Command_line& line) try {
 
 void check(Point_set_run& run) {
   using Options = CGAL::Mesh_quality_options_2;
-  run.quality = CGAL::mesh_quality_2(run.mesh, run.input, Options().check_domain(Options::Domain::ANY));
+  run.quality = CGAL::mesh_quality_2<CGAL::Parallel_tag>(run.mesh, run.input,
+                                                         Options().check_domain(Options::Domain::ANY));
   check_valid(run.quality); // before angles are measured, which need places
   run.ours.vertices = run.quality.vertices;
   count_angles(run);

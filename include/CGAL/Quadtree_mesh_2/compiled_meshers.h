@@ -22,10 +22,10 @@
   PREFIX template class CLASS<TRAITS, Sequential_tag>;                                                       \
   PREFIX template class CLASS<TRAITS, Parallel_tag>
 
-#define CGAL_QUADTREE_MESH_2_COMPILED_MESH_QUALITY                                                           \
-  Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>&,              \
-                                const Pslg_2<Quadtree_mesh_2::internal::Double_point>&,                      \
-                                const Mesh_quality_options_2&)
+#define CGAL_QUADTREE_MESH_2_INSTANTIATE_MESH_QUALITY(PREFIX, TAG)                                           \
+  PREFIX template Mesh_quality_2 mesh_quality_2<TAG>(                                                        \
+      const Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>&,                                        \
+      const Pslg_2<Quadtree_mesh_2::internal::Double_point>&, const Mesh_quality_options_2&)
 
 #endif // CGAL_QUADTREE_MESH_2_INSTANTIATE
 
@@ -55,7 +55,8 @@ CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Trapezoidal_vertex_edge_neighbors_2, Fi
 #endif
 
 #ifdef CGAL_QUADTREE_MESH_2_HAS_MESH_QUALITY
-extern template CGAL_QUADTREE_MESH_2_COMPILED_MESH_QUALITY;
+CGAL_QUADTREE_MESH_2_INSTANTIATE_MESH_QUALITY(extern, Sequential_tag);
+CGAL_QUADTREE_MESH_2_INSTANTIATE_MESH_QUALITY(extern, Parallel_tag);
 #endif
 
 } // namespace CGAL

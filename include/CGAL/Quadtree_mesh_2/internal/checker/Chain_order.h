@@ -22,6 +22,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Input_domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/checker/Loops.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Mesh_error_log.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Straight_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/exact_sign.h>
@@ -50,20 +51,21 @@ public:
   /// \param chains for each piece of the domain the vertices along it, or none
   /// \param vertex_at for each place of the input the vertex of the mesh there, or `Domain::none`
   Chain_order(const std::vector<Point>& points, const Domain& domain, const Chains& chains,
-              const std::vector<std::uint32_t>& vertex_at, Mesh_error_log& log)
-      : points_(points), domain_(domain), chains_(chains), vertex_at_(vertex_at), log_(log) {}
+              const std::vector<std::uint32_t>& vertex_at, const Loops& loops, Mesh_error_log& log)
+      : points_(points), domain_(domain), chains_(chains), vertex_at_(vertex_at), loops_(loops), log_(log) {}
 
   /// \param line_of gives the line of a segment
   template <class Line_of>
   void check(const Line_of& line_of) {
-    std::vector<char> is_close(chains_.size(), 0);
-    for (std::uint32_t p = 0; p < chains_.size(); ++p) is_close[p] = keeps_to_its_thirds(p) ? 0 : 1;
-    if (std::find(is_close.begin(), is_close.end(), 1) == is_close.end()) return;
+    std::vector<std::uint32_t> close_chains;
+    loops_.for_each_wrong(
+        chains_.size(), [this](std::uint32_t p) { return keeps_to_its_thirds(p); },
+        [&](std::uint32_t p) { close_chains.push_back(p); });
+    if (close_chains.empty()) return;
     std::vector<Item_box> close, all;
-    for (std::uint32_t p = 0; p < chains_.size(); ++p) {
+    for (const std::uint32_t p : close_chains) append_edges(p, line_of(domain_.pieces()[p].segment), close);
+    for (std::uint32_t p = 0; p < chains_.size(); ++p)
       append_edges(p, line_of(domain_.pieces()[p].segment), all);
-      if (is_close[p] != 0) append_edges(p, line_of(domain_.pieces()[p].segment), close);
-    }
     check_crossings(close, all);
     check_vertices_between(close, line_of);
   }
@@ -177,6 +179,7 @@ private:
   const Domain& domain_;
   const Chains& chains_;
   const std::vector<std::uint32_t>& vertex_at_;
+  const Loops& loops_;
   Mesh_error_log& log_;
   std::vector<Edge> edges_;
 };

@@ -15,6 +15,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/checker/Chain_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Half_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Input_domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/checker/Loops.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Mesh_error_log.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Scaled_sides.h>
 #include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,9 +48,10 @@ public:
   using Mesh = Indexed_mesh_2<Point>;
   using Pslg = Pslg_2<Point>;
 
-  Mesh_checker(const Mesh& mesh, const Pslg& pslg, const Mesh_quality_options_2& options,
+  Mesh_checker(const Mesh& mesh, const Pslg& pslg, const Mesh_quality_options_2& options, const Loops& loops,
                Mesh_quality_2& quality)
-      : mesh_(mesh), pslg_(pslg), options_(options), quality_(quality), log_(options, quality) {}
+      : mesh_(mesh), pslg_(pslg), options_(options), loops_(loops), quality_(quality),
+        log_(options, quality) {}
 
   /// \return `false` if the arrays do not fit together, which leaves nothing more to say.
   bool check_arrays() {
@@ -74,12 +77,22 @@ public:
   }
 
   void check() {
-    check_input_vertices();
-    check_orientations();
-    half_edges_ = Half_edges(mesh_.triangles, mesh_.points.size());
-    pair_half_edges();
-    check_places();
-    check_against_input();
+    std::optional<Domain> domain;
+    std::optional<Chain_finder> chains;
+    loops_.do_both(
+        [&] {
+          domain.emplace(pslg_.vertices, pslg_.segments, pslg_.holes, options_.check_domain(),
+                         region_points());
+        },
+        [&] {
+          check_input_vertices();
+          check_orientations();
+          half_edges_ = Half_edges(mesh_.triangles, mesh_.points.size());
+          pair_half_edges();
+          check_places();
+          chains.emplace(mesh_, pslg_, options_, half_edges_, log_);
+        });
+    check_against_input(*domain, *chains);
     if (has_all_arrays()) {
       check_segments_of_vertices();
       check_regions();
@@ -148,37 +161,50 @@ private:
   }
 
   void check_orientations() {
-    const std::vector<Point>& p = mesh_.points;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const auto turn_of = [this](std::uint32_t t) {
       const auto& v = mesh_.triangles[t];
-      const Orientation turn =
-          CGAL::orientation(p[std::size_t(v[0])], p[std::size_t(v[1])], p[std::size_t(v[2])]);
-      if (turn != LEFT_TURN)
-        error("triangle ", t, " (", v[0], " ", v[1], " ", v[2], ") is ",
-              turn == COLLINEAR ? "flat" : "clockwise");
-    }
+      return CGAL::orientation(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
+    };
+    loops_.for_each_wrong(
+        mesh_.triangles.size(), [&](std::uint32_t t) { return turn_of(t) == LEFT_TURN; },
+        [&](std::uint32_t t) {
+          const auto& v = mesh_.triangles[t];
+          error("triangle ", t, " (", v[0], " ", v[1], " ", v[2], ") is ",
+                turn_of(t) == COLLINEAR ? "flat" : "clockwise");
+        });
   }
 
   void pair_half_edges() {
     const auto n = static_cast<std::uint32_t>(3 * mesh_.triangles.size());
     opposites_.assign(n, none_);
     is_constrained_.assign(n, 0);
-    const bool has_neighbors = has_all_arrays() && mesh_.neighbors.size() == mesh_.triangles.size();
-    for (std::uint32_t h = 0; h < n; ++h) {
-      const std::uint32_t a = half_edges_.origin(h), b = half_edges_.target(h);
-      if (half_edges_.find(a, b).count > 1)
-        error("triangle ", h / 3, " and another one both have the directed edge ", a, " ", b);
-      opposites_[h] = half_edges_.find(b, a).half_edge;
-      if (has_neighbors) check_neighbor(h);
-    }
+    loops_.for_each_wrong(
+        n,
+        [this](std::uint32_t h) {
+          opposites_[h] = half_edges_.find(half_edges_.target(h), half_edges_.origin(h)).half_edge;
+          return !is_repeated(h) && is_neighbor_right(h);
+        },
+        [this](std::uint32_t h) { report_half_edge(h); });
   }
 
-  void check_neighbor(std::uint32_t h) {
+  bool is_repeated(std::uint32_t h) const {
+    return half_edges_.find(half_edges_.origin(h), half_edges_.target(h)).count > 1;
+  }
+  /// Whether the triangle across is the one that is stored, if such are stored.
+  bool is_neighbor_right(std::uint32_t h) const {
+    if (!has_all_arrays() || mesh_.neighbors.size() != mesh_.triangles.size()) return true;
     const Triangle_index stored = mesh_.neighbors[h / 3][h % 3];
     const std::uint32_t found = opposites_[h];
-    if (found == none_ ? stored.is_valid() : stored != Triangle_index(found / 3))
-      error("neighbor ", h % 3, " of triangle ", h / 3, " is ", name(stored), ", but the triangle across is ",
-            found == none_ ? "none" : std::to_string(found / 3));
+    return found == none_ ? !stored.is_valid() : stored == Triangle_index(found / 3);
+  }
+  void report_half_edge(std::uint32_t h) {
+    if (is_repeated(h))
+      error("triangle ", h / 3, " and another one both have the directed edge ", half_edges_.origin(h), " ",
+            half_edges_.target(h));
+    if (!is_neighbor_right(h))
+      error("neighbor ", h % 3, " of triangle ", h / 3, " is ", name(mesh_.neighbors[h / 3][h % 3]),
+            ", but the triangle across is ",
+            opposites_[h] == none_ ? "none" : std::to_string(opposites_[h] / 3));
   }
   template <class Index>
   static std::string name(Index i) {
@@ -202,15 +228,13 @@ private:
 
   // --- the input: vertices, segments, domain ---
 
-  void check_against_input() {
-    const std::vector<Point> marks = region_points();
-    const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.check_domain(), marks);
+  void check_against_input(const Domain& domain, Chain_finder& finder) {
     if (domain.has_crossings()) return error("input segments cross; this is no planar straight-line graph");
     for (std::size_t h : domain.ambiguous_holes()) ambiguous_error("hole ", h, pslg_.holes[h]);
-    for (std::size_t r : domain.ambiguous_marks()) ambiguous_error("region ", r, marks[r]);
+    for (std::size_t r : domain.ambiguous_marks()) ambiguous_error("region ", r, pslg_.regions[r].point);
     if (!domain.ambiguous_holes().empty() || !domain.ambiguous_marks().empty()) return;
     find_representatives(domain);
-    check_chains(domain);
+    check_chains(domain, finder);
     if (has_domain()) {
       check_border();
       check_euler(domain);
@@ -240,8 +264,7 @@ private:
   }
 
   /// Follows each piece of an input segment through the mesh.
-  void check_chains(const Domain& domain) {
-    Chain_finder finder(mesh_, pslg_, options_, half_edges_, log_);
+  void check_chains(const Domain& domain, Chain_finder& finder) {
     Chain_order::Chains chains(domain.pieces().size());
     for (std::size_t p = 0; p < chains.size(); ++p) {
       const Piece& piece = domain.pieces()[p];
@@ -252,7 +275,7 @@ private:
       for (std::size_t i = 1; i < chains[p].size(); ++i) check_sides(piece, chains[p][i - 1], chains[p][i]);
     }
     finder.check_unused_constrained_edges();
-    Chain_order(mesh_.points, domain, chains, representative_, log_).check([&](Segment_index s) {
+    Chain_order(mesh_.points, domain, chains, representative_, loops_, log_).check([&](Segment_index s) {
       return finder.line(s);
     });
     segment_of_vertex_ = finder.segment_of_vertex();
@@ -348,6 +371,7 @@ private:
   const Mesh& mesh_;
   const Pslg& pslg_;
   const Mesh_quality_options_2& options_;
+  const Loops& loops_;
   Mesh_quality_2& quality_;
   Mesh_error_log log_;
   Half_edges half_edges_{no_triangles(), 0};

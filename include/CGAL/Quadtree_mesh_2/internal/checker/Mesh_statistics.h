@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CHECKER_MESH_STATISTICS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CHECKER_MESH_STATISTICS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/checker/Loops.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Mesh_checker.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Scaled_sides.h>
 
@@ -34,13 +35,20 @@ public:
   using Point = Mesh_checker::Point;
 
   Mesh_statistics(const Mesh_checker::Mesh& mesh, const Mesh_checker::Pslg& pslg, const Mesh_checker& checker,
-                  const Mesh_quality_options_2& options, Mesh_quality_2& quality)
-      : mesh_(mesh), pslg_(pslg), checker_(checker), options_(options), quality_(quality) {}
+                  const Mesh_quality_options_2& options)
+      : mesh_(mesh), pslg_(pslg), checker_(checker), options_(options) {}
 
-  void compute() {
-    quality_.triangles = mesh_.triangles.size();
-    measure_edges();
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) measure_triangle(t);
+  void compute(const Loops& loops, Mesh_quality_2& quality) const {
+    quality.triangles = mesh_.triangles.size();
+    loops.for_ranges<Mesh_quality_2>(
+        mesh_.triangles.size(),
+        [this](std::size_t begin, std::size_t end, Mesh_quality_2& range) {
+          for (std::size_t t = begin; t < end; ++t) {
+            measure_edges_of(static_cast<std::uint32_t>(t), range);
+            measure_triangle(static_cast<std::uint32_t>(t), range);
+          }
+        },
+        [&quality](const Mesh_quality_2& range) { add(quality, range); });
   }
 
 private:
@@ -48,16 +56,35 @@ private:
   static constexpr double tolerance_ = 1e-7; // degrees, for comparisons of angles with the bound
   static constexpr double relative_tolerance_ = 1e-11;
 
-  void measure_edges() {
-    const auto& opposites = checker_.opposites();
-    for (std::uint32_t h = 0; h < opposites.size(); ++h) {
-      if (opposites[h] != Half_edges::none && opposites[h] < h) continue;
+  static void add(Mesh_quality_2& all, const Mesh_quality_2& range) {
+    all.edges += range.edges;
+    all.border_edges += range.border_edges;
+    all.area += range.area;
+    all.shortest_edge = std::min(all.shortest_edge, range.shortest_edge);
+    all.longest_edge = std::max(all.longest_edge, range.longest_edge);
+    all.largest_area = std::max(all.largest_area, range.largest_area);
+    all.total_length += range.total_length;
+    all.min_angle = std::min(all.min_angle, range.min_angle);
+    all.max_angle = std::max(all.max_angle, range.max_angle);
+    all.min_new_angle = std::min(all.min_new_angle, range.min_new_angle);
+    all.exempt_triangles += range.exempt_triangles;
+    all.unmet_triangles.insert(all.unmet_triangles.end(), range.unmet_triangles.begin(),
+                               range.unmet_triangles.end());
+    for (std::size_t i = 0; i < all.angle_histogram.size(); ++i)
+      all.angle_histogram[i] += range.angle_histogram[i];
+  }
+
+  /// Those that no triangle before it has.
+  void measure_edges_of(std::uint32_t t, Mesh_quality_2& quality) const {
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const std::uint32_t opposite = checker_.opposites()[h];
+      if (opposite != Half_edges::none && opposite < h) continue;
       const double length = distance(checker_.half_edges().origin(h), checker_.half_edges().target(h));
-      ++quality_.edges;
-      quality_.border_edges += opposites[h] == Half_edges::none;
-      quality_.total_length += length;
-      quality_.shortest_edge = std::min(quality_.shortest_edge, length);
-      quality_.longest_edge = std::max(quality_.longest_edge, length);
+      ++quality.edges;
+      quality.border_edges += opposite == Half_edges::none;
+      quality.total_length += length;
+      quality.shortest_edge = std::min(quality.shortest_edge, length);
+      quality.longest_edge = std::max(quality.longest_edge, length);
     }
   }
 
@@ -66,21 +93,27 @@ private:
     return std::hypot(q.x() - p.x(), q.y() - p.y());
   }
 
-  void measure_triangle(std::uint32_t t) {
+  void measure_triangle(std::uint32_t t, Mesh_quality_2& quality) const {
     const Sides sides(corner(t, 0), corner(t, 1), corner(t, 2));
     double least = 180, greatest = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const double angle = sides.angle(k);
       least = std::min(least, angle);
       greatest = std::max(greatest, angle);
-      if (!is_input_angle(t, k)) quality_.min_new_angle = std::min(quality_.min_new_angle, angle);
-      ++quality_.angle_histogram[std::min<std::size_t>(17, std::size_t(angle / 10))];
+      if (!is_input_angle(t, k)) quality.min_new_angle = std::min(quality.min_new_angle, angle);
+      ++quality.angle_histogram[std::min<std::size_t>(17, std::size_t(angle / 10))];
     }
-    quality_.min_angle = std::min(quality_.min_angle, least);
-    quality_.max_angle = std::max(quality_.max_angle, greatest);
-    quality_.area += sides.area();
-    quality_.largest_area = std::max(quality_.largest_area, sides.area());
-    compare_with_bounds(t, sides, {least, greatest});
+    const double area = sides.area();
+    quality.min_angle = std::min(quality.min_angle, least);
+    quality.max_angle = std::max(quality.max_angle, greatest);
+    quality.area += area;
+    quality.largest_area = std::max(quality.largest_area, area);
+    const Angles angles{least, greatest};
+    using Bound = Mesh_quality_2::Bound;
+    if (options_.max_edge() > 0 && sides.longest() > options_.max_edge() * (1 + relative_tolerance_))
+      add_unmet(t, Bound::EDGE_LENGTH, angles, quality);
+    if (area > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, angles, quality);
+    compare_with_angles(t, angles, quality);
   }
 
   const Point& corner(std::uint32_t t, std::uint32_t k) const { return mesh_.point(mesh_.triangles[t][k]); }
@@ -96,18 +129,15 @@ private:
     double least, greatest;
   };
 
-  void compare_with_bounds(std::uint32_t t, const Sides& sides, Angles angles) {
-    using Bound = Mesh_quality_2::Bound;
-    if (options_.max_edge() > 0 && sides.longest() > options_.max_edge() * (1 + relative_tolerance_))
-      add_unmet(t, Bound::EDGE_LENGTH, angles);
-    if (sides.area() > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, angles);
+  void compare_with_angles(std::uint32_t t, Angles angles, Mesh_quality_2& quality) const {
     const bool is_sharp = angles.least < std::min(options_.min_angle(), 90.) - tolerance_;
     const bool is_wide = options_.max_angle() > 0 && angles.greatest > options_.max_angle() + tolerance_;
     if (!is_sharp && !is_wide) return;
+    using Bound = Mesh_quality_2::Bound;
     if (is_exempt(t, angles.least))
-      ++quality_.exempt_triangles;
+      ++quality.exempt_triangles;
     else
-      add_unmet(t, is_sharp ? Bound::ANGLE : Bound::GREATEST_ANGLE, angles);
+      add_unmet(t, is_sharp ? Bound::ANGLE : Bound::GREATEST_ANGLE, angles, quality);
   }
 
   /// Of the options and of the triangle's region.
@@ -121,11 +151,11 @@ private:
                : area;
   }
 
-  void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, Angles angles) {
+  void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, Angles angles, Mesh_quality_2& quality) const {
     const Point &p = corner(t, 0), &q = corner(t, 1), &r = corner(t, 2);
     const std::array<double, 2> centroid{p.x() / 3 + q.x() / 3 + r.x() / 3,
                                          p.y() / 3 + q.y() / 3 + r.y() / 3};
-    quality_.unmet_triangles.push_back({Triangle_index(t), bound, centroid, angles.least, angles.greatest});
+    quality.unmet_triangles.push_back({Triangle_index(t), bound, centroid, angles.least, angles.greatest});
   }
 
   // --- wedges ---
@@ -216,7 +246,6 @@ private:
   const Mesh_checker::Pslg& pslg_;
   const Mesh_checker& checker_;
   const Mesh_quality_options_2& options_;
-  Mesh_quality_2& quality_;
 };
 
 } // namespace internal

@@ -29,17 +29,20 @@ public:
     for (const Point& c : corners_) largest = std::max({largest, std::abs(c.x()), std::abs(c.y())});
     // differences of the largest doubles overflow; what their last bits lose is nothing beside them
     const int before = largest > 0x1p1000 ? -32 : 0;
+    const double down = before == 0 ? 1 : 0x1p-32;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point &a = corners_[(k + 1) % 3], &b = corners_[(k + 2) % 3];
-      x_[k] = std::ldexp(b.x(), before) - std::ldexp(a.x(), before);
-      y_[k] = std::ldexp(b.y(), before) - std::ldexp(a.y(), before);
+      x_[k] = down * b.x() - down * a.x();
+      y_[k] = down * b.y() - down * a.y();
     }
     double extent = 0;
     for (std::size_t k = 0; k < 3; ++k) extent = std::max({extent, std::abs(x_[k]), std::abs(y_[k])});
     const int exponent = extent > 0 ? std::ilogb(extent) : 0;
+    // in two steps, as the power of two may be none that doubles have
+    const double half = std::ldexp(1., -exponent / 2), rest = std::ldexp(1., -exponent - -exponent / 2);
     for (std::size_t k = 0; k < 3; ++k) {
-      x_[k] = std::ldexp(x_[k], -exponent);
-      y_[k] = std::ldexp(y_[k], -exponent);
+      x_[k] = half * x_[k] * rest;
+      y_[k] = half * y_[k] * rest;
     }
     exponent_ = exponent - before;
     doubled_area_ = compute_doubled_area();
