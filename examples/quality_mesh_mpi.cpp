@@ -14,6 +14,7 @@
 #include "internal/command_line.h"
 #include "internal/degrees.h"
 #include "internal/measurement.h"
+#include "internal/mesh_figures.h"
 #include "internal/program_steps.h"
 #include "internal/report_json.h"
 #include "internal/report_words.h"
@@ -26,6 +27,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Pslg_slice_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors
@@ -42,7 +44,7 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -51,6 +53,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace {
@@ -58,6 +61,7 @@ namespace {
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 using Part = CGAL::Distributed_mesh_2<Traits::Point_2>;
 using CGAL::Quadtree_mesh_2::internal::agree_on_work;
+using CGAL::Quadtree_mesh_2::internal::Bytes;
 using CGAL::Quadtree_mesh_2::internal::Mpi_exchange;
 const MPI_Comm all_ranks = MPI_COMM_WORLD;
 
@@ -136,18 +140,14 @@ bool may_be_in_degrees(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
 
 /// The least and the largest angle of all triangles, in degrees. All ranks call it.
 void find_angles(const Part& part, Seen& seen) {
-  const double per_radian = 180 / std::acos(-1.0);
-  for (std::size_t t = 0; t < part.number_of_own_triangles(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto point = [&](std::size_t i) {
-        return part.points[part.index_of_vertex(part.triangles[t][(k + i) % 3])];
-      };
-      const auto a = point(0), b = point(1), c = point(2);
-      const double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
-      const double angle = per_radian * std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
-      seen.least_angle = std::min(seen.least_angle, angle);
-      seen.largest_angle = std::max(seen.largest_angle, angle);
-    }
+  Mesh_figures figures;
+  Mesh_figures_builder builder(figures, 0);
+  const auto point = [&part](Part::Number v) { return part.points[part.index_of_vertex(v)]; };
+  for (std::size_t t = 0; t < part.number_of_own_triangles(); ++t) {
+    const auto& [a, b, c] = part.triangles[t];
+    builder.add_triangle(point(a), point(b), point(c));
+  }
+  seen.least_angle = figures.min_angle, seen.largest_angle = figures.max_angle;
   MPI_Allreduce(MPI_IN_PLACE, &seen.least_angle, 1, MPI_DOUBLE, MPI_MIN, all_ranks);
   MPI_Allreduce(MPI_IN_PLACE, &seen.largest_angle, 1, MPI_DOUBLE, MPI_MAX, all_ranks);
 }
@@ -291,6 +291,17 @@ that cannot be written stay.
 )";
 }
 
+/// What ranks do together follows from it, and from the options of the mesher, which it compares itself.
+std::string common_part(const Command_line& line) {
+  std::string text;
+  for (const int n : {static_cast<int>(line.task), line.is_quiet ? 1 : 0, line.memory > 0 ? 1 : 0,
+                      line.is_projection_said ? 1 : 0})
+    text += std::to_string(n) + ' ';
+  text += line.input + '\0' + line.report_file;
+  for (const std::string& output : line.outputs) text += '\0' + output;
+  return text;
+}
+
 /// Ranks may see different files. What keeps one of them from its work, all throw.
 Command_line checked_command_line(int argc, char** argv) {
   Command_line line;
@@ -299,15 +310,37 @@ Command_line checked_command_line(int argc, char** argv) {
     line = parse_command_line(argc, argv);
     if (line.task == Command_line::Task::MESH) check_use(line);
   });
+  const std::string own = common_part(line);
+  Bytes first(own.begin(), own.end());
+  exchange.broadcast(first, 0);
+  agree_on_work(exchange, [&] {
+    if (!std::equal(own.begin(), own.end(), first.begin(), first.end()))
+      throw Usage_error(
+          "ranks have different arguments: only those of --threads, --scratch and --memory may differ, "
+          "if all have --memory");
+  });
   return line;
 }
 
-Exit_status run(int argc, char** argv, int rank) {
+/// \throws std::system_error at all ranks if the first one cannot
+template <class Print>
+void print_at_first(const Print& print) {
+  Mpi_exchange exchange(all_ranks);
+  agree_on_work(exchange, [&] {
+    if (exchange.rank() != 0) return;
+    print();
+    if (!std::cout.flush() || std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "the output cannot be printed");
+  });
+}
+
+Exit_status run(int argc, char** argv) {
   const Command_line line = checked_command_line(argc, argv);
   if (line.task != Command_line::Task::MESH) {
-    if (rank == 0)
+    print_at_first([&] {
       line.task == Command_line::Task::PRINT_VERSION ? print_version(std::cout, "quality_mesh_mpi")
                                                      : print_own_help();
+    });
     return Exit_status::DONE;
   }
   const Scratch_of_rank scratch(line);
@@ -318,7 +351,7 @@ Exit_status run(int argc, char** argv, int rank) {
     for (const std::string& output : line.outputs) write(part, output);
   });
   if (!line.report_file.empty()) write_report(line, report, part, seen);
-  if (rank == 0 && !line.is_quiet) print(line, report, part, seen);
+  if (!line.is_quiet) print_at_first([&] { print(line, report, part, seen); });
   return report.is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
 }
 
@@ -342,7 +375,7 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(all_ranks, &rank);
   Exit_status status = Exit_status::REFUSED;
   try {
-    status = run(argc, argv, rank);
+    status = run(argc, argv);
   } catch (const std::bad_alloc& error) { // maybe at this rank alone, for which others wait
     std::cerr << "quality_mesh_mpi: error: not enough memory at rank " << rank << ": " << error.what()
               << '\n';

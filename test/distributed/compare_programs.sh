@@ -60,6 +60,15 @@ refuses "close the border" open.poly -o mesh.vtkhdf
 printf '4 2 0 0\n1 0 0\n2 1 1\n3 0 1\n4 1 0\n2 0\n1 1 2\n2 3 4\n0\n' >crossing.poly
 refuses "or use --repair of quality_mesh" crossing.poly -o mesh.vtkhdf
 [[ ! -e mesh.vtkhdf ]]
+# One more rank, with other arguments.
+refuses "different arguments" graph.poly --quiet : -n 1 "${command[-1]}" graph.poly --quiet -o mesh.vtkhdf
+refuses "different arguments" graph.poly --quiet : -n 1 "${command[-1]}" --help
+# Through MPI's own program a rank does not see that nobody takes what it prints.
+if [[ -e /dev/full ]]; then
+  status=0
+  "${command[-1]}" graph.poly >/dev/full 2>errors || status=$?
+  [[ $status -eq 2 ]] && grep -q "cannot be printed" errors
+fi
 
 # What misses a bound is told with its place and the reason, and so are the angles.
 status=0
@@ -73,6 +82,9 @@ for line in vertices triangles 'least angle ' 'largest angle'; do
   # shellcheck disable=SC2016 # awk expands it
   [[ $(grep -m 1 "^$line" told | awk '{ print $NF }') == $(grep -m 1 "^$line" expected | awk '{ print $NF }') ]]
 done
+printf '4 2 0 0\n1 0 0\n2 1e-200 0\n3 1e-200 1e-200\n4 0 1e-200\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n' >tiny.poly
+"${command[@]}" tiny.poly >told
+grep -q '^least angle *45.00' told && grep -q '^largest angle *90.00' told
 # The report has what that of one machine has, but for what is of one machine alone, for times and for memory.
 "$program" graph.poly --keep-borders all --renumber --report expected.json >/dev/null || [[ $? -eq 1 ]]
 python3 - "$ranks" <<'EOF'

@@ -108,6 +108,10 @@ public:
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& segments_through() const {
     return segments_through_;
   }
+  /// All pairs (input segment, input vertex inside it), sorted; of vertices at one place the first.
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& vertices_inside() const {
+    return vertices_inside_;
+  }
 
 private:
   using Domain = Input_domain<Kernel>;
@@ -279,11 +283,23 @@ private:
       return finder.line(s);
     });
     segment_of_vertex_ = finder.segment_of_vertex();
+    find_vertices_inside(domain);
     for (const auto& cover : domain.covers())
       for (std::uint32_t v : chains[cover.first]) segments_through_.emplace_back(v, cover.second.value());
     std::sort(segments_through_.begin(), segments_through_.end());
     segments_through_.erase(std::unique(segments_through_.begin(), segments_through_.end()),
                             segments_through_.end());
+  }
+
+  void find_vertices_inside(const Domain& domain) {
+    const auto& covers = domain.covers();
+    for (std::size_t i = 1; i < covers.size(); ++i) {
+      if (covers[i - 1].second != covers[i].second) continue;
+      const auto& before = domain.pieces()[covers[i - 1].first].ends;
+      for (const std::uint32_t v : domain.pieces()[covers[i].first].ends)
+        if (v == before[0] || v == before[1]) vertices_inside_.emplace_back(covers[i].second.value(), v);
+    }
+    std::sort(vertices_inside_.begin(), vertices_inside_.end());
   }
 
   void check_sides(const Piece& piece, std::uint32_t a, std::uint32_t b) {
@@ -379,7 +395,7 @@ private:
   std::vector<char> is_constrained_;
   std::vector<std::uint32_t> representative_; // of an input place: the vertex there that the mesh uses
   std::vector<std::uint32_t> segment_of_vertex_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> segments_through_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> segments_through_, vertices_inside_;
 
   static const Half_edges::Triangles& no_triangles() {
     static const Half_edges::Triangles none;

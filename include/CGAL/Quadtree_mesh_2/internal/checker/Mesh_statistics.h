@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -25,11 +26,11 @@ namespace internal {
 
 /// Angles, lengths and areas of a checked mesh, and the triangles that miss a bound.
 ///
-/// Below the angle bound, a triangle is *exempt* only in an acute wedge. Two input segments meet there at an
-/// input vertex, an end of at least one of them, at an angle phi < 60 degrees. All three vertices of the
-/// triangle lie on these two segments, and its least angle is at least 0.9 phi. Both angles are known to
-/// 1e-11 of themselves, however small. Takes linear time, except that exempt triangles search among the
-/// segments at their apex.
+/// Below the angle bound, a triangle is *exempt* only in an acute wedge. Two input segments meet there at an input
+/// vertex, which may be an end of either or of none, at an angle phi < 60 degrees. All three vertices of the triangle
+/// lie on these two segments, and its least angle is at least 0.9 phi. Both angles are known to 1e-11 of themselves,
+/// however small. Takes linear time, except that exempt triangles search among the segments at their apex, and among
+/// the vertices inside these.
 class Mesh_statistics {
 public:
   using Point = Mesh_checker::Point;
@@ -160,12 +161,15 @@ private:
 
   // --- wedges ---
 
-  /// The range of (vertex, segment) pairs of one vertex.
-  auto segments_through(std::uint32_t v) const {
-    const auto& all = checker_.segments_through();
-    const auto first = std::lower_bound(all.begin(), all.end(), std::make_pair(v, 0u));
-    return std::make_pair(first, std::lower_bound(first, all.end(), std::make_pair(v + 1, 0u)));
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+  /// The range of the pairs that begin with a number.
+  static auto range_of(const Pairs& all, std::uint32_t number) {
+    const auto first = std::lower_bound(all.begin(), all.end(), std::make_pair(number, 0u));
+    return std::make_pair(first, std::lower_bound(first, all.end(), std::make_pair(number + 1, 0u)));
   }
+  auto segments_through(std::uint32_t v) const { return range_of(checker_.segments_through(), v); }
+  auto vertices_inside(std::uint32_t s) const { return range_of(checker_.vertices_inside(), s); }
   bool is_through(std::uint32_t v, std::uint32_t segment) const {
     const auto& all = checker_.segments_through();
     return std::binary_search(all.begin(), all.end(), std::make_pair(v, segment));
@@ -213,13 +217,20 @@ private:
     return pslg_.point(pslg_.segments[segment][end]);
   }
 
-  /// The input vertices in which two segments meet: ends of one that lie on the other, exactly.
+  /// The input vertices in which two segments meet, exactly: ends of one that lie on the other, and those inside both.
   std::vector<Point> meeting_points(std::uint32_t s, std::uint32_t s2) const {
     std::vector<Point> points;
     for (std::size_t end : {0u, 1u}) {
       if (is_on(end_of(s, end), s2)) points.push_back(end_of(s, end));
       if (is_on(end_of(s2, end), s)) points.push_back(end_of(s2, end));
     }
+    const auto inside = vertices_inside(s), inside2 = vertices_inside(s2);
+    const bool is_shorter = inside.second - inside.first < inside2.second - inside2.first;
+    const auto [first, last] = is_shorter ? inside : inside2;
+    const auto& all = checker_.vertices_inside();
+    for (auto v = first; v != last; ++v)
+      if (std::binary_search(all.begin(), all.end(), std::make_pair(is_shorter ? s2 : s, v->second)))
+        points.push_back(pslg_.vertices[v->second]);
     return points;
   }
 
