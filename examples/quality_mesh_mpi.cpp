@@ -8,8 +8,10 @@
 // part for each rank, .vtkhdf, and .xdmf with .h5. All ranks write them. They have the bytes that
 // `quality_mesh --renumber` writes, with `--pieces` as many as ranks.
 //
-// The first rank has the whole mesh for a while, and with --memory most of it in a file on its own disk.
+// The first rank has the triangles of the domain before they are refined; with --memory most of them are in a file on
+// its own disk. doc/distributed.md says when it has the whole mesh.
 
+#include "internal/Figures_table.h"
 #include "internal/Scratch_folder.h"
 #include "internal/command_line.h"
 #include "internal/degrees.h"
@@ -46,6 +48,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -123,8 +126,9 @@ private:
 struct Seen {
   bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes far from the equator
   std::size_t first_number = 0;   ///< from where the file counts
-  double least_angle = 180, largest_angle = 0;
-  Seconds read, mesh, write; ///< of the first rank
+  std::size_t holes = 0;          ///< points of them
+  Mesh_figures figures;           ///< of all triangles
+  Seconds read, mesh, write;      ///< of the first rank
 };
 
 /// All ranks call it.
@@ -138,18 +142,22 @@ bool may_be_in_degrees(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
   return exchange.min(is_possible) == 1 && exchange.max(is_far) == 1;
 }
 
-/// The least and the largest angle of all triangles, in degrees. All ranks call it.
-void find_angles(const Part& part, Seen& seen) {
-  Mesh_figures figures;
-  Mesh_figures_builder builder(figures, 0);
+/// The angles of all triangles. All ranks call it.
+void find_angles(const Part& part, const CGAL::Quality_mesh_options_2& options, Mesh_figures& figures) {
+  Mesh_figures_builder builder(figures, options.min_angle(), options.max_angle());
   const auto point = [&part](Part::Number v) { return part.points[part.index_of_vertex(v)]; };
   for (std::size_t t = 0; t < part.number_of_own_triangles(); ++t) {
     const auto& [a, b, c] = part.triangles[t];
     builder.add_triangle(point(a), point(b), point(c));
   }
-  seen.least_angle = figures.min_angle, seen.largest_angle = figures.max_angle;
-  MPI_Allreduce(MPI_IN_PLACE, &seen.least_angle, 1, MPI_DOUBLE, MPI_MIN, all_ranks);
-  MPI_Allreduce(MPI_IN_PLACE, &seen.largest_angle, 1, MPI_DOUBLE, MPI_MAX, all_ranks);
+  const auto reduce = [](double& angle, MPI_Op operation) {
+    MPI_Allreduce(MPI_IN_PLACE, &angle, 1, MPI_DOUBLE, operation, all_ranks);
+  };
+  reduce(figures.min_angle, MPI_MIN), reduce(figures.min_angle_of_others, MPI_MIN);
+  reduce(figures.max_angle, MPI_MAX);
+  Mpi_exchange exchange(all_ranks);
+  for (std::size_t* const number : {&figures.below_bound, &figures.above_bound})
+    *number = static_cast<std::size_t>(exchange.sum(static_cast<std::int64_t>(*number)));
 }
 
 /// All ranks call it.
@@ -175,12 +183,14 @@ Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report, Seen
   });
   seen.first_number = slice.first_number;
   const Advised_graph graph = advised_graph(slice);
+  seen.holes =
+      static_cast<std::size_t>(Mpi_exchange(all_ranks).sum(static_cast<std::int64_t>(slice.holes.size())));
   seen.may_be_in_degrees = !line.is_projection_said && may_be_in_degrees(slice);
   try {
     Part part;
     timed(seen.mesh, [&] { part = mesher(std::move(slice)); });
     report = mesher.report();
-    if (!line.is_quiet || !line.report_file.empty()) find_angles(part, seen);
+    if (!line.is_quiet || !line.report_file.empty()) find_angles(part, line.options, seen.figures);
     return part;
   } catch (const CGAL::Pslg_error_2& error) {
     throw std::runtime_error(error.what() + what_to_do(error, graph, line));
@@ -211,17 +221,27 @@ void write(const Part& part, const std::string& output) {
 
 void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, const Part& part,
            const Seen& seen) {
-  std::printf("input: %zu vertices, %zu segments; bound: %g degrees\n", report.input_vertices,
-              report.input_segments, line.options.min_angle());
+  std::printf("input: %zu vertices, %zu segments, holes: %zu; bound: %g degrees\n", report.input_vertices,
+              report.input_segments, seen.holes, line.options.min_angle());
   if (seen.may_be_in_degrees) degrees::print_warning(" of quality_mesh");
-  std::printf("vertices                         %14zu\n", report.vertices);
-  std::printf("triangles                        %14zu\n", report.triangles);
-  std::printf("least angle                      %14.2f\n", seen.least_angle);
-  std::printf("largest angle                    %14.2f\n", seen.largest_angle);
-  std::printf("  exempt, in acute input corners %14zu\n", report.exempt_triangles.size());
-  std::printf("  that miss a bound              %14zu\n", report.unmet_triangles.size());
-  std::printf("ranks with triangles             %14d of %d\n", part.number_of_parts(),
-              part.number_of_ranks());
+  Mesh_figures figures = seen.figures;
+  figures.vertices = report.vertices, figures.triangles = report.triangles, figures.seconds = seen.mesh;
+  const Figures_table table({{"", figures}});
+  table.print_count("vertices", &Mesh_figures::vertices);
+  table.print_count("triangles", &Mesh_figures::triangles);
+  table.print_angle("least angle", &Mesh_figures::min_angle);
+  table.print_angle("largest angle", &Mesh_figures::max_angle);
+  table.print_count("triangles below the bound", &Mesh_figures::below_bound);
+  if (line.options.max_angle() > 0)
+    table.print_count("triangles above the bound", &Mesh_figures::above_bound);
+  table.print("  in acute input corners",
+              [&](const Mesh_figures&) { return std::to_string(report.exempt_triangles.size()); });
+  table.print_angle("least angle above the bound", &Mesh_figures::min_angle_of_others);
+  table.print_seconds("processor seconds, rank 0", &Seconds::cpu);
+  table.print_seconds("seconds by the clock", &Seconds::wall);
+  table.print("ranks with triangles", [&](const Mesh_figures&) {
+    return std::to_string(part.number_of_parts()) + " of " + std::to_string(part.number_of_ranks());
+  });
   report_words::print_places(report.unmet_triangles, [](const auto&) { return ""; });
   report_words::print_reasons(report, line.options);
 }
@@ -236,8 +256,8 @@ nlohmann::ordered_json report_json(const Command_line& line, const CGAL::Quality
       {"vertices_on_segments", report.vertices_on_segments},
       {"vertices", report.vertices},
       {"triangles", report.triangles},
-      {"min_angle", seen.least_angle},
-      {"max_angle", seen.largest_angle},
+      {"min_angle", seen.figures.min_angle},
+      {"max_angle", seen.figures.max_angle},
       {"exempt_triangles", report.exempt_triangles.size()},
       {"unmet_triangles", report.unmet_triangles.size()},
       {"encroached_edges", report.encroached_edges},
@@ -277,9 +297,9 @@ Meshes a graph on P ranks, with one thread each or --threads: the mesh of qualit
 INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf, or .xdmf with
 .h5. Without one, the program only tells what the mesh has.
 Options are those of quality_mesh --help-all for graphs. Refused are --hull, --repair,
---resume, --kernel, --compare, --pieces, --second-order, --msh-version, --show-quadtree,
-those of sizes by files and features and of projections, and those of formats that ranks do
-not read or write. --threads is of each rank, to which MPI has to give as many cores.
+--resume, --kernel, --compare, --pieces, --second-order, --msh-version 2.2, --show-quadtree,
+--area-file, --size-points, --size-grid, --size-from-features, --project but none, and those
+of formats that ranks do not read or write. --threads is of each rank, to which MPI has to give as many cores.
 --memory is what each rank may use; the scratch folder is made where there is none, and may
 be on a disk of each machine. --report has seconds of the first rank, and memory of the one
 that used most.
@@ -307,7 +327,13 @@ Command_line checked_command_line(int argc, char** argv) {
   Command_line line;
   Mpi_exchange exchange(all_ranks);
   agree_on_work(exchange, [&] {
-    line = parse_command_line(argc, argv);
+    try {
+      line = parse_command_line(argc, argv);
+    } catch (const Unknown_ending& unknown) {
+      throw Usage_error(
+          "ranks read .poly, .poly.gz or .h5, and write .pvtu, .msh, .vtkhdf, or .xdmf with .h5, not '" +
+          unknown.file_name + "'");
+    }
     if (line.task == Command_line::Task::MESH) check_use(line);
   });
   const std::string own = common_part(line);

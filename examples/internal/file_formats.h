@@ -60,6 +60,15 @@ inline void check_has_gdal(const std::string& file_name) {
 #endif
 }
 
+/// The ending of a name says nothing.
+struct Unknown_ending : Usage_error {
+  Unknown_ending(const std::string& kind, const std::string& name, const std::string& endings)
+      : Usage_error("cannot tell the format of " + kind + " '" + name + "': its ending has to be " + endings),
+        file_name(name) {}
+
+  std::string file_name;
+};
+
 /// By the ending, or by that before `.gz`; without any it is a .poly file, as from a pipe.
 inline Input_format input_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Input_format>> endings = {
@@ -82,10 +91,10 @@ inline Input_format input_format(const std::string& file_name) {
       }
       return format;
     }
-  throw Usage_error("cannot tell the format of input '" + file_name +
-                    "': its ending has to be .poly, .geojson, .json, .wkt, .h5, .hdf5, .node, .xy, .txt, "
-                    ".csv, .ele (a mesh to refine), or .shp, .shz, .gpkg, "
-                    ".kml, .kmz, .gml, .fgb, .dxf (by GDAL)");
+  throw Unknown_ending(
+      "input", file_name,
+      ".poly, .geojson, .json, .wkt, .h5, .hdf5, .node, .xy, .txt, .csv, .ele (a mesh to refine), or "
+      ".shp, .shz, .gpkg, .kml, .kmz, .gml, .fgb, .dxf (by GDAL)");
 }
 
 enum class Grid_format { ESRI, GDAL };
@@ -140,10 +149,10 @@ inline Output_format output_format(const std::string& file_name) {
       if (format == Output_format::VTKHDF || format == Output_format::XDMF) check_has_hdf5(file_name);
       return format;
     }
-  throw Usage_error(
-      "cannot tell the format of output '" + file_name +
-      "': its ending has to be .ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, .html, .off, "
-      ".obj, .msh, .mesh, .2dm, .gr3, .14, .edge, .neigh, .v.node, .cells.geojson or .cells.wkt");
+  throw Unknown_ending(
+      "output", file_name,
+      ".ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, .html, .off, .obj, .msh, .mesh, "
+      ".2dm, .gr3, .14, .edge, .neigh, .v.node, .cells.geojson or .cells.wkt");
 }
 
 /// The files that an output consists of, besides its pieces.

@@ -9,6 +9,8 @@
 
 #include <CGAL/Pslg_2.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -24,6 +26,12 @@ namespace CGAL {
 /// rank follow each other, in the order of ranks. A rank knows, too:
 /// - its ghosts: the triangles of other ranks that have a vertex with a triangle of its own in common
 /// - foreign vertices: those of its triangles, ghosts and edges that others own
+///
+/// Triangles are in the order of their least vertices, and cut into runs of the same length. A rank owns the vertices
+/// up to the last one that is the least of an own triangle, but for those of ranks before. So it may own vertices at
+/// which it has no triangle, and need not know all triangles at an own vertex: it knows all at the vertices of its own
+/// triangles. To assemble, add what own triangles contribute, and send the owners what that is at foreign vertices:
+/// see `Vertex_scatter_2`.
 ///
 /// The arrays are arguments of `DMPlexCreateFromCellListParallelPetsc()` of PETSc and `create_mesh()` of dolfinx: the
 /// first `number_of_own_triangles()` triangles, and the first `number_of_own_vertices()` points.
@@ -98,9 +106,9 @@ public:
   /// @{
 
   int rank = 0; ///< which rank this is
-  /// The numbers of the foreign vertices, in their order.
+  /// The numbers of the foreign vertices, ascending: so those of one owner follow each other, and so do owners.
   std::vector<Number> foreign_vertices;
-  /// The numbers of the ghosts, in their order.
+  /// The numbers of the ghosts, ascending.
   std::vector<Number> ghost_triangles;
 
   /// The places of the own vertices, then of the foreign ones. So it is with all arrays of vertices.
@@ -116,7 +124,8 @@ public:
   std::vector<std::array<Number, 3>> triangles;
   /// Per own triangle and ghost, the position of its region in `Pslg_2::regions`; -1 for none.
   std::vector<int> region_of_triangle;
-  /// Per own triangle, the number of the triangle across each side; -1 on the border of the domain.
+  /// Per own triangle, the number of the triangle across each side, which this rank knows; -1 on the border of the
+  /// domain. Side k is the one across from vertex k of the triangle.
   std::vector<std::array<Number, 3>> neighbors;
 
   /// In the order of their numbers.
@@ -153,11 +162,29 @@ public:
   bool is_own_vertex(Number v) const {
     return v >= first_vertex[std::size_t(rank)] && v < first_vertex[std::size_t(rank) + 1];
   }
-  /// The place in the arrays of a vertex that this rank knows. O(1) for own vertices, O(log f) for f foreign ones.
+  /// Whether this rank owns a triangle.
+  bool is_own_triangle(Number t) const {
+    return t >= first_triangle[std::size_t(rank)] && t < first_triangle[std::size_t(rank) + 1];
+  }
+  /// Whether this rank knows a vertex: an own or a foreign one. O(log f) for f foreign vertices.
+  bool knows_vertex(Number v) const {
+    return is_own_vertex(v) || std::binary_search(foreign_vertices.begin(), foreign_vertices.end(), v);
+  }
+  /// Whether this rank knows a triangle: an own one or a ghost. O(log g) for g ghosts.
+  bool knows_triangle(Number t) const {
+    return is_own_triangle(t) || std::binary_search(ghost_triangles.begin(), ghost_triangles.end(), t);
+  }
+  /// The place of a vertex in the arrays. O(1) for own vertices, O(log f) for f foreign ones.
+  /// \pre this rank knows it
   std::size_t index_of_vertex(Number v) const {
     if (is_own_vertex(v)) return static_cast<std::size_t>(v - first_vertex[std::size_t(rank)]);
-    const auto found = std::lower_bound(foreign_vertices.begin(), foreign_vertices.end(), v);
-    return number_of_own_vertices() + static_cast<std::size_t>(found - foreign_vertices.begin());
+    return number_of_own_vertices() + place_of(foreign_vertices, v);
+  }
+  /// The place of a triangle in the arrays. O(1) for own triangles, O(log g) for g ghosts.
+  /// \pre this rank knows it
+  std::size_t index_of_triangle(Number t) const {
+    if (is_own_triangle(t)) return static_cast<std::size_t>(t - first_triangle[std::size_t(rank)]);
+    return number_of_own_triangles() + place_of(ghost_triangles, t);
   }
   /// The number of a vertex from its place in the arrays.
   Number number_of_vertex(std::size_t i) const {
@@ -174,6 +201,11 @@ public:
 private:
   std::size_t number_of_own(const std::vector<Number>& first) const {
     return static_cast<std::size_t>(first[std::size_t(rank) + 1] - first[std::size_t(rank)]);
+  }
+  static std::size_t place_of(const std::vector<Number>& ascending, Number i) {
+    const auto found = std::lower_bound(ascending.begin(), ascending.end(), i);
+    CGAL_precondition(found != ascending.end() && *found == i);
+    return static_cast<std::size_t>(found - ascending.begin());
   }
   static int owner(const std::vector<Number>& first, Number i) {
     return static_cast<int>(std::upper_bound(first.begin(), first.end(), i) - first.begin()) - 1;

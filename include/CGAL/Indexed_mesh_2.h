@@ -60,7 +60,8 @@ public:
   std::vector<Point_2> points;
   /// The vertices of each triangle, counterclockwise.
   std::vector<std::array<Vertex_index, 3>> triangles;
-  /// `neighbors[t][k]`: the triangle across side `k` of `t`; invalid on the border of the domain.
+  /// `neighbors[t][k]`: the triangle across side `k` of `t`, which is across from its vertex `k`; invalid on the border
+  /// of the domain.
   std::vector<std::array<Triangle_index, 3>> neighbors;
   /// Every mesh edge that lies on an input segment, once.
   std::vector<Constrained_edge> constrained_edges;

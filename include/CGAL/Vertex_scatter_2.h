@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_VERTEX_SCATTER_2_H
+#define CGAL_VERTEX_SCATTER_2_H
+
+/// \file
+/// Values at vertices of a distributed mesh, sent between their owners and the ranks that use them. A program links
+/// MPI.
+
+#include <CGAL/Distributed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgQuadtreeMesh2Distributed
+/// Sends values at vertices of a `Distributed_mesh_2` from their owners to all ranks that know the vertices, and back.
+///
+/// Values are in vectors with a place for each vertex that a rank knows, as `points` has: own ones, then foreign ones.
+/// To assemble, each rank adds what its own triangles contribute at any vertex, and `add_backward()` gives the sums to
+/// the owners. `forward()` tells them to all.
+///
+/// All ranks call constructor and functions, in the same order. A rank sends a message to each rank with which it has
+/// vertices in common, and needs memory for what it sends and receives.
+class Vertex_scatter_2 {
+public:
+  /// Asks the owners of the foreign vertices. O(log P) for each of them, with P ranks. Keeps nothing of `mesh`.
+  template <class Point>
+  Vertex_scatter_2(MPI_Comm comm, const Distributed_mesh_2<Point>& mesh)
+      : exchange_(comm), number_of_own_(mesh.number_of_own_vertices()),
+        number_of_foreign_(mesh.foreign_vertices.size()) {
+    using Number = typename Distributed_mesh_2<Point>::Number;
+    const auto& foreign = mesh.foreign_vertices;
+    Quadtree_mesh_2::internal::Records_of_parts<Number> asked;
+    for (auto begin = foreign.begin(); begin != foreign.end();) { // those of one owner follow each other
+      const int owner = mesh.owner_of_vertex(*begin);
+      const auto end =
+          std::lower_bound(begin, foreign.end(), mesh.first_vertex[static_cast<std::size_t>(owner) + 1]);
+      asked[owner].assign(begin, end);
+      owners_.push_back({owner, static_cast<std::size_t>(end - begin)});
+      begin = end;
+    }
+    for (const auto& [rank, vertices] : exchange_records(exchange_, std::move(asked))) {
+      users_.push_back({rank, {}});
+      for (const Number v : vertices) users_.back().vertices.push_back(mesh.index_of_vertex(v));
+    }
+  }
+
+  /// Gives each foreign vertex the value that its owner has.
+  /// \tparam Value trivially copyable
+  /// \param values with a place for each vertex of this rank
+  /// \throws std::invalid_argument at this rank alone if there are more or fewer
+  template <class Value>
+  void forward(std::vector<Value>& values) {
+    check_size(values.size());
+    Quadtree_mesh_2::internal::Records_of_parts<Value> outbox;
+    for (const User& user : users_)
+      for (const std::size_t v : user.vertices) outbox[user.rank].push_back(values[v]);
+    std::size_t next = number_of_own_;
+    for (const auto& of_owner : exchange_records(exchange_, std::move(outbox)))
+      for (const Value& value : of_owner.second) values[next++] = value;
+  }
+
+  /// Adds the values at foreign vertices to those of their owners, in the order of ranks. Foreign vertices keep theirs.
+  /// \tparam Value trivially copyable, with `+=`
+  /// \param values with a place for each vertex of this rank
+  /// \throws std::invalid_argument at this rank alone if there are more or fewer
+  template <class Value>
+  void add_backward(std::vector<Value>& values) {
+    check_size(values.size());
+    Quadtree_mesh_2::internal::Records_of_parts<Value> outbox;
+    std::size_t next = number_of_own_;
+    for (const Owner& owner : owners_)
+      for (std::size_t i = 0; i < owner.number_of_vertices; ++i) outbox[owner.rank].push_back(values[next++]);
+    auto user = users_.begin();
+    for (const auto& of_user : exchange_records(exchange_, std::move(outbox))) {
+      for (std::size_t i = 0; i < of_user.second.size(); ++i) values[user->vertices[i]] += of_user.second[i];
+      ++user;
+    }
+  }
+
+private:
+  struct Owner {
+    int rank;
+    std::size_t number_of_vertices; ///< foreign here, which follow on those of owners before
+  };
+  struct User {
+    int rank;
+    std::vector<std::size_t> vertices; ///< own ones that it knows, by their places here
+  };
+
+  void check_size(std::size_t size) const {
+    if (size != number_of_own_ + number_of_foreign_)
+      throw std::invalid_argument("there is not one value for each vertex of a rank");
+  }
+
+  Quadtree_mesh_2::internal::Mpi_exchange exchange_;
+  std::size_t number_of_own_, number_of_foreign_;
+  std::vector<Owner> owners_; // in the order of ranks, as users are
+  std::vector<User> users_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_VERTEX_SCATTER_2_H
