@@ -166,8 +166,9 @@ TEST_CASE("Features next to a leg, far from its apex, may be as small as coordin
   }
 }
 
-TEST_CASE("Triangles in a corner on segments that run through its apex are exempt for mesher and checker alike",
-          "[mesher][small]") {
+TEST_CASE(
+    "Triangles in a corner on segments that run through its apex are exempt for mesher and checker alike",
+    "[mesher][small]") {
   for (const char* name : {"hard_segment_through_apex.poly", "hard_segments_through_a_vertex.poly"}) {
     INFO(name);
     const Run r = run(read(name), to_the_bound());
