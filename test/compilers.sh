@@ -68,7 +68,8 @@ INSTANTIATE(Point_set_mesher_2, Filtered_quadtree_traits_2<>);
 INSTANTIATE(Point_set_mesher_2, Fixed_point_quadtree_traits_2<std::uint64_t>);
 INSTANTIATE(Point_set_mesher_2, Exact_quadtree_traits_2<>);
 INSTANTIATE(Trapezoidal_vertex_edge_neighbors_2, Filtered_quadtree_traits_2<>);
-template CGAL_QUADTREE_MESH_2_COMPILED_MESH_QUALITY;
+CGAL_QUADTREE_MESH_2_INSTANTIATE_MESH_QUALITY(, Sequential_tag);
+CGAL_QUADTREE_MESH_2_INSTANTIATE_MESH_QUALITY(, Parallel_tag);
 } // namespace CGAL
 EOF
 
