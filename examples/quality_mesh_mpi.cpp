@@ -299,10 +299,10 @@ INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf, or .
 Options are those of quality_mesh --help-all for graphs. Refused are --hull, --repair,
 --resume, --kernel, --compare, --pieces, --second-order, --msh-version 2.2, --show-quadtree,
 --area-file, --size-points, --size-grid, --size-from-features, --project but none, and those
-of formats that ranks do not read or write. --threads is of each rank, to which MPI has to give as many cores.
---memory is what each rank may use; the scratch folder is made where there is none, and may
-be on a disk of each machine. --report has seconds of the first rank, and memory of the one
-that used most.
+of formats that ranks do not read or write. --threads is of each rank, to which MPI has to
+give as many cores. --memory is what each rank may use; the scratch folder is made where
+there is none, and may be on a disk of each machine. --report has seconds of the first rank,
+and memory of the one that used most.
   mpirun -n 4 quality_mesh_mpi coast.poly -o mesh.vtkhdf --max-area 100
   mpirun -q -n 4 quality_mesh_mpi coast.h5 -o mesh.pvtu --memory 2G --scratch /local
 
@@ -348,15 +348,17 @@ Command_line checked_command_line(int argc, char** argv) {
   return line;
 }
 
-/// \throws std::system_error at all ranks if the first one cannot
+/// \throws std::runtime_error at all ranks if the first one cannot
 template <class Print>
 void print_at_first(const Print& print) {
   Mpi_exchange exchange(all_ranks);
   agree_on_work(exchange, [&] {
     if (exchange.rank() != 0) return;
+    errno = 0;
     print();
-    if (!std::cout.flush() || std::fflush(stdout) != 0)
-      throw std::system_error(errno, std::generic_category(), "the output cannot be printed");
+    if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
+                              "the output cannot be printed");
   });
 }
 

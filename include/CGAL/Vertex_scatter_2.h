@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,8 +34,9 @@ namespace CGAL {
 /// To assemble, each rank adds what its own triangles contribute at any vertex, and `add_backward()` gives the sums to
 /// the owners. `forward()` tells them to all.
 ///
-/// All ranks call constructor and functions, in the same order. A rank sends a message to each rank with which it has
-/// vertices in common, and needs memory for what it sends and receives.
+/// All ranks call constructor, functions and destructor, in the same order, and the last before `MPI_Finalize()`. What
+/// one of them throws, all throw. A rank sends a message to each rank with which it has vertices in common, and needs
+/// memory for what it sends and receives. It cannot be copied.
 class Vertex_scatter_2 {
 public:
   /// Asks the owners of the foreign vertices. O(log P) for each of them, with P ranks. Keeps nothing of `mesh`.
@@ -60,12 +62,12 @@ public:
   }
 
   /// Gives each foreign vertex the value that its owner has.
-  /// \tparam Value trivially copyable
+  /// \tparam Value trivially copyable, with a default constructor, and not `bool`
   /// \param values with a place for each vertex of this rank
-  /// \throws std::invalid_argument at this rank alone if there are more or fewer
+  /// \throws std::invalid_argument if there are more or fewer at any rank
   template <class Value>
   void forward(std::vector<Value>& values) {
-    check_size(values.size());
+    check(values);
     Quadtree_mesh_2::internal::Records_of_parts<Value> outbox;
     for (const User& user : users_)
       for (const std::size_t v : user.vertices) outbox[user.rank].push_back(values[v]);
@@ -75,12 +77,12 @@ public:
   }
 
   /// Adds the values at foreign vertices to those of their owners, in the order of ranks. Foreign vertices keep theirs.
-  /// \tparam Value trivially copyable, with `+=`
+  /// \tparam Value the same, with `+=`
   /// \param values with a place for each vertex of this rank
-  /// \throws std::invalid_argument at this rank alone if there are more or fewer
+  /// \throws std::invalid_argument if there are more or fewer at any rank
   template <class Value>
   void add_backward(std::vector<Value>& values) {
-    check_size(values.size());
+    check(values);
     Quadtree_mesh_2::internal::Records_of_parts<Value> outbox;
     std::size_t next = number_of_own_;
     for (const Owner& owner : owners_)
@@ -102,8 +104,12 @@ private:
     std::vector<std::size_t> vertices; ///< own ones that it knows, by their places here
   };
 
-  void check_size(std::size_t size) const {
-    if (size != number_of_own_ + number_of_foreign_)
+  template <class Value>
+  void check(const std::vector<Value>& values) {
+    static_assert(std::is_trivially_copyable_v<Value> && std::is_default_constructible_v<Value> &&
+                      !std::is_same_v<Value, bool>,
+                  "values are sent as the bytes that they are");
+    if (exchange_.min(values.size() == number_of_own_ + number_of_foreign_ ? 1 : 0) == 0)
       throw std::invalid_argument("there is not one value for each vertex of a rank");
   }
 

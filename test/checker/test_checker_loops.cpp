@@ -13,6 +13,10 @@
 
 #include <CGAL/mesh_quality_2.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -115,5 +119,24 @@ TEST_CASE("threads find the same errors, in the same order", "[mesh_quality_2][t
   CHECK(quality.errors.front().find("triangle 7 ") == 0);
   CHECK(quality.unmet_triangles.size() > 79000);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("what ends other tasks of the caller does not end the checker", "[mesh_quality_2][threads]") {
+  const Mesh mesh = grid(2);
+  const auto options = Options().check_arrays(Options::Arrays::POINTS_AND_TRIANGLES);
+  Quality quality;
+  tbb::task_group_context context;
+  tbb::parallel_for(
+      0, 1,
+      [&](int) {
+        context.cancel_group_execution();
+        quality = CGAL::mesh_quality_2<CGAL::Parallel_tag>(mesh, halved_square(), options);
+      },
+      context);
+  CHECK(quality.is_valid());
+  CHECK(quality.triangles == 8);
+  CHECK(quality.edges == 16);
+}
+#endif
 
 } // namespace test_checker_loops

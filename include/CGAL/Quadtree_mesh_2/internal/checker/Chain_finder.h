@@ -54,6 +54,18 @@ public:
     return Line(pslg_.point(ends[0]), pslg_.point(ends[1]), options_.coordinate_unit());
   }
 
+  /// Says which constrained edges cannot be in chains.
+  void report_links() {
+    for (const std::size_t e : without_link_) {
+      const auto& edge = mesh_.constrained_edges[e];
+      if (has_range(edge))
+        log_.add("constrained edge ", e, " (", edge.vertices[0], " ", edge.vertices[1],
+                 ") is not an edge of the mesh");
+      else
+        log_.add("constrained edge ", e, " has an index that does not exist");
+    }
+  }
+
   /// \param piece a part of an input segment without an input vertex inside, in the segment's direction
   /// \param a,b the mesh vertices at its ends
   /// \returns the mesh vertices along it; none if there is no chain, which is an error.
@@ -111,20 +123,24 @@ private:
     links_.reserve(2 * is_used_.size());
     for (std::size_t e = 0; e < is_used_.size(); ++e) {
       const auto& edge = mesh_.constrained_edges[e];
-      const std::size_t a = std::size_t(edge.vertices[0]), b = std::size_t(edge.vertices[1]),
-                        s = std::size_t(edge.segment);
-      if (a >= mesh_.points.size() || b >= mesh_.points.size() || s >= pslg_.segments.size()) {
-        log_.add("constrained edge ", e, " has an index that does not exist");
-        is_used_[e] = 1;
-      } else if (!half_edges_.is_edge(std::uint32_t(a), std::uint32_t(b))) {
-        log_.add("constrained edge ", e, " (", a, " ", b, ") is not an edge of the mesh");
-        is_used_[e] = 1;
+      const std::uint32_t a = edge.vertices[0].value(), b = edge.vertices[1].value(),
+                          s = edge.segment.value();
+      if (has_range(edge) && half_edges_.is_edge(a, b)) {
+        links_.push_back({s, a, b, e});
+        links_.push_back({s, b, a, e});
       } else {
-        links_.push_back({std::uint32_t(s), std::uint32_t(a), std::uint32_t(b), e});
-        links_.push_back({std::uint32_t(s), std::uint32_t(b), std::uint32_t(a), e});
+        without_link_.push_back(e);
+        is_used_[e] = 1;
       }
     }
     std::sort(links_.begin(), links_.end());
+  }
+
+  /// Whether all that a constrained edge names exists.
+  bool has_range(const Mesh::Constrained_edge& edge) const {
+    return std::size_t(edge.vertices[0]) < mesh_.points.size() &&
+           std::size_t(edge.vertices[1]) < mesh_.points.size() &&
+           std::size_t(edge.segment) < pslg_.segments.size();
   }
 
   /// \param[in,out] chain from its first vertex on
@@ -206,6 +222,7 @@ private:
   Mesh_error_log& log_;
   std::vector<Link> links_;
   std::vector<char> is_used_; // by constrained edge
+  std::vector<std::size_t> without_link_;
   std::vector<std::uint32_t> segment_of_vertex_;
 };
 

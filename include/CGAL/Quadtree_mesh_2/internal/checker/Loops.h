@@ -36,7 +36,8 @@ namespace internal {
 /// The loops of the checker, on one thread or on TBB's. What they find is the same: ranges are cut by their length
 /// alone, and what is found in them is taken in their order.
 ///
-/// These are not the loops of the meshers, with which a checker shares no code.
+/// These are not the loops of the meshers, with which a checker shares no code. They run in contexts of their own: an
+/// exception in another task of the caller must not end them, as their results are read.
 class Loops {
 public:
   explicit Loops(Sequential_tag) {}
@@ -47,7 +48,10 @@ public:
   template <class First, class Second>
   void do_both(const First& first, const Second& second) const {
 #ifdef CGAL_QUADTREE_MESH_2_CHECKER_USES_TBB
-    if (is_parallel_) return tbb::parallel_invoke(first, second);
+    if (is_parallel_) {
+      tbb::task_group_context context(tbb::task_group_context::isolated);
+      return tbb::parallel_invoke(first, second, context);
+    }
 #endif
     first();
     second();
@@ -62,9 +66,10 @@ public:
       look(i * length_, std::min(n, (i + 1) * length_), results[i]);
     };
 #ifdef CGAL_QUADTREE_MESH_2_CHECKER_USES_TBB
-    if (is_parallel_)
-      tbb::parallel_for(std::size_t(0), results.size(), look_at);
-    else
+    if (is_parallel_) {
+      tbb::task_group_context context(tbb::task_group_context::isolated);
+      tbb::parallel_for(std::size_t(0), results.size(), look_at, context);
+    } else
 #endif
       for (std::size_t i = 0; i < results.size(); ++i) look_at(i);
     for (Result& result : results) take(result);
@@ -88,7 +93,7 @@ public:
 private:
   static constexpr std::size_t length_ = 1u << 15; // of a range
 
-  bool is_parallel_ = false;
+  [[maybe_unused]] bool is_parallel_ = false;
 };
 
 } // namespace internal

@@ -108,7 +108,8 @@ public:
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& segments_through() const {
     return segments_through_;
   }
-  /// All pairs (input segment, input vertex inside it), sorted; of vertices at one place the first.
+  /// All pairs (input segment, input vertex inside it), of vertices at one place the first: in the order of the
+  /// segments, and along each of them.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& vertices_inside() const {
     return vertices_inside_;
   }
@@ -128,6 +129,8 @@ private:
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();
     if (!mesh_.input_index.empty()) error("the mesh is renumbered: renumber_by_input() it first");
+    if (mesh_.triangles.size() > none_ / 3)
+      error("the mesh has ", mesh_.triangles.size(), " triangles, more than can be checked");
     if (mesh_.points.size() < n)
       error("the mesh has ", mesh_.points.size(), " vertices, fewer than the input's ", n);
     if (!has_all_arrays()) return;
@@ -238,6 +241,7 @@ private:
     for (std::size_t r : domain.ambiguous_marks()) ambiguous_error("region ", r, pslg_.regions[r].point);
     if (!domain.ambiguous_holes().empty() || !domain.ambiguous_marks().empty()) return;
     find_representatives(domain);
+    finder.report_links();
     check_chains(domain, finder);
     if (has_domain()) {
       check_border();
@@ -299,7 +303,6 @@ private:
       for (const std::uint32_t v : domain.pieces()[covers[i].first].ends)
         if (v == before[0] || v == before[1]) vertices_inside_.emplace_back(covers[i].second.value(), v);
     }
-    std::sort(vertices_inside_.begin(), vertices_inside_.end());
   }
 
   void check_sides(const Piece& piece, std::uint32_t a, std::uint32_t b) {

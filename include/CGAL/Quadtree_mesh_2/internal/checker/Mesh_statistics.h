@@ -29,8 +29,7 @@ namespace internal {
 /// Below the angle bound, a triangle is *exempt* only in an acute wedge. Two input segments meet there at an input
 /// vertex, which may be an end of either or of none, at an angle phi < 60 degrees. All three vertices of the triangle
 /// lie on these two segments, and its least angle is at least 0.9 phi. Both angles are known to 1e-11 of themselves,
-/// however small. Takes linear time, except that exempt triangles search among the segments at their apex, and among
-/// the vertices inside these.
+/// however small. Takes linear time, except that exempt triangles search among the segments at their apex.
 class Mesh_statistics {
 public:
   using Point = Mesh_checker::Point;
@@ -163,13 +162,13 @@ private:
 
   using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-  /// The range of the pairs that begin with a number.
+  /// The range of the pairs that begin with a number. \pre they are in the order of these
   static auto range_of(const Pairs& all, std::uint32_t number) {
-    const auto first = std::lower_bound(all.begin(), all.end(), std::make_pair(number, 0u));
-    return std::make_pair(first, std::lower_bound(first, all.end(), std::make_pair(number + 1, 0u)));
+    const auto is_less = [](const auto& pair, std::uint32_t n) { return pair.first < n; };
+    const auto first = std::lower_bound(all.begin(), all.end(), number, is_less);
+    return std::make_pair(first, std::lower_bound(first, all.end(), number + 1, is_less));
   }
   auto segments_through(std::uint32_t v) const { return range_of(checker_.segments_through(), v); }
-  auto vertices_inside(std::uint32_t s) const { return range_of(checker_.vertices_inside(), s); }
   bool is_through(std::uint32_t v, std::uint32_t segment) const {
     const auto& all = checker_.segments_through();
     return std::binary_search(all.begin(), all.end(), std::make_pair(v, segment));
@@ -224,14 +223,20 @@ private:
       if (is_on(end_of(s, end), s2)) points.push_back(end_of(s, end));
       if (is_on(end_of(s2, end), s)) points.push_back(end_of(s2, end));
     }
-    const auto inside = vertices_inside(s), inside2 = vertices_inside(s2);
-    const bool is_shorter = inside.second - inside.first < inside2.second - inside2.first;
-    const auto [first, last] = is_shorter ? inside : inside2;
-    const auto& all = checker_.vertices_inside();
-    for (auto v = first; v != last; ++v)
-      if (std::binary_search(all.begin(), all.end(), std::make_pair(is_shorter ? s2 : s, v->second)))
-        points.push_back(pslg_.vertices[v->second]);
+    if (points.empty()) add_crossing(s, s2, points);
     return points;
+  }
+
+  /// Adds the vertex inside both segments, if there is one.
+  void add_crossing(std::uint32_t s, std::uint32_t s2, std::vector<Point>& points) const {
+    const auto side = [&](const Point& p) { return CGAL::orientation(end_of(s2, 0), end_of(s2, 1), p); };
+    const Orientation before = side(end_of(s, 0));
+    if (before == COLLINEAR || side(end_of(s, 1)) != -before) return;
+    const auto [first, last] = range_of(checker_.vertices_inside(), s); // in their order along s
+    const auto crossing = std::partition_point(
+        first, last, [&](const auto& v) { return side(pslg_.vertices[v.second]) == before; });
+    if (crossing != last && is_on(pslg_.vertices[crossing->second], s2))
+      points.push_back(pslg_.vertices[crossing->second]);
   }
 
   bool is_on(const Point& p, std::uint32_t segment) const {
