@@ -14,12 +14,11 @@
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Part_completer.h>
 
 #include <mpi.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -44,20 +43,11 @@ public:
   Vertex_scatter_2(MPI_Comm comm, const Distributed_mesh_2<Point>& mesh)
       : exchange_(comm), number_of_own_(mesh.number_of_own_vertices()),
         number_of_foreign_(mesh.foreign_vertices.size()) {
-    using Number = typename Distributed_mesh_2<Point>::Number;
-    const auto& foreign = mesh.foreign_vertices;
-    Quadtree_mesh_2::internal::Records_of_parts<Number> asked;
-    for (auto begin = foreign.begin(); begin != foreign.end();) { // those of one owner follow each other
-      const int owner = mesh.owner_of_vertex(*begin);
-      const auto end =
-          std::lower_bound(begin, foreign.end(), mesh.first_vertex[static_cast<std::size_t>(owner) + 1]);
-      asked[owner].assign(begin, end);
-      owners_.push_back({owner, static_cast<std::size_t>(end - begin)});
-      begin = end;
-    }
+    auto asked = Quadtree_mesh_2::internal::vertices_by_owner(mesh, mesh.foreign_vertices);
+    for (const auto& [rank, vertices] : asked) owners_.push_back({rank, vertices.size()});
     for (const auto& [rank, vertices] : exchange_records(exchange_, std::move(asked))) {
       users_.push_back({rank, {}});
-      for (const Number v : vertices) users_.back().vertices.push_back(mesh.index_of_vertex(v));
+      for (const auto v : vertices) users_.back().vertices.push_back(mesh.index_of_vertex(v));
     }
   }
 

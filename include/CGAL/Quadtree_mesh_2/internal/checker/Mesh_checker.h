@@ -57,6 +57,8 @@ public:
   bool check_arrays() {
     check_sizes();
     const std::size_t errors = quality_.number_of_errors;
+    if (mesh_.triangles.size() > none_ / 3)
+      error("the mesh has ", mesh_.triangles.size(), " triangles, more than can be checked");
     check_coordinates("vertex ", mesh_.points);
     check_coordinates("input vertex ", pslg_.vertices);
     check_coordinates("hole ", pslg_.holes);
@@ -129,8 +131,6 @@ private:
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();
     if (!mesh_.input_index.empty()) error("the mesh is renumbered: renumber_by_input() it first");
-    if (mesh_.triangles.size() > none_ / 3)
-      error("the mesh has ", mesh_.triangles.size(), " triangles, more than can be checked");
     if (mesh_.points.size() < n)
       error("the mesh has ", mesh_.points.size(), " vertices, fewer than the input's ", n);
     if (!has_all_arrays()) return;

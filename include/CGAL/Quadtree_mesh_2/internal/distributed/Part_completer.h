@@ -32,6 +32,21 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// The vertices of each owner. \pre `vertices` is sorted
+template <class Point>
+Records_of_parts<std::int64_t> vertices_by_owner(const Distributed_mesh_2<Point>& part,
+                                                 const std::vector<std::int64_t>& vertices) {
+  Records_of_parts<std::int64_t> lists;
+  for (auto begin = vertices.begin(); begin != vertices.end();) {
+    const int owner = part.owner_of_vertex(*begin);
+    const auto end =
+        std::lower_bound(begin, vertices.end(), part.first_vertex[static_cast<std::size_t>(owner) + 1]);
+    lists[owner].assign(begin, end);
+    begin = end;
+  }
+  return lists;
+}
+
 /// See the head of this file.
 template <class Exchange, class Point>
 class Part_completer {
@@ -86,25 +101,12 @@ private:
     std::vector<Number> list_;
   };
 
-  /// The vertices of each owner. \pre `vertices` is sorted
-  Records_of_parts<Number> by_owner(const std::vector<Number>& vertices) const {
-    Records_of_parts<Number> lists;
-    for (auto begin = vertices.begin(); begin != vertices.end();) {
-      const int owner = part_.owner_of_vertex(*begin);
-      const auto end =
-          std::lower_bound(begin, vertices.end(), part_.first_vertex[static_cast<std::size_t>(owner) + 1]);
-      lists[owner].assign(begin, end);
-      begin = end;
-    }
-    return lists;
-  }
-
   /// The other ranks at own vertices, sorted.
   std::vector<User> others_at_own_vertices() {
     Foreign_list foreign(part_);
     for (const auto& t : part_.triangles) foreign.add(t);
     std::vector<User> users;
-    for (const auto& [rank, vertices] : exchange_records(exchange_, by_owner(foreign.take())))
+    for (const auto& [rank, vertices] : exchange_records(exchange_, vertices_by_owner(part_, foreign.take())))
       for (const Number v : vertices) users.push_back({v, rank});
     std::sort(users.begin(), users.end());
     return users;
@@ -184,7 +186,7 @@ private:
   }
 
   void add_foreign_vertices() {
-    const auto asked = exchange_records(exchange_, by_owner(part_.foreign_vertices));
+    const auto asked = exchange_records(exchange_, vertices_by_owner(part_, part_.foreign_vertices));
     const auto copy = [](auto value) { return value; };
     add_from_owners(
         asked, part_.points, [](const Point& p) { return coordinates_to_send(p); },
